@@ -1,20 +1,17 @@
 //! `cargo grafcet export`
 
 use clap::{Args as Arguments, Subcommand, ValueEnum};
-use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::Model;
-use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_exchange::plcopen::{self, plcopen};
 use grafcet_exchange::sfc::{Exported, textual};
 use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
 use grafcet_exchange::{Refused, pnml};
-use grafcet_prove::circuit::Circuit;
-use grafcet_prove::export as circuits;
+use grafcet_prove::export::{self as circuits, Notation};
 use serde_json::json;
 
 use crate::args::{Charts, Target};
 use crate::find::{self, Found};
-use crate::model::{accepted, with_plants};
+use crate::model::{accepted, sound};
 use crate::report::{human, json as object};
 use crate::{Failure, Outcome, complain, output, say};
 
@@ -106,14 +103,16 @@ pub(crate) struct Sfc {
     pub(crate) result: Written,
 }
 
-/// PLCopen XML (TC6 2.01): the chart as a drawing of SFC, for CODESYS, Beremiz and others
+/// PLCopen XML: the chart as a drawing of SFC, for CODESYS, Beremiz and others
 ///
-/// For `sfc` charts, as `export sfc`. Steps and transitions stand where `draw` puts them; what leads back is a jump.
+/// For `sfc` charts, as `export sfc`. Steps and transitions stand where `draw` puts them; what leads back is a jump, or a line in the edition of IEC 61131-10,
+/// which has no jumps.
 #[derive(Arguments, Debug)]
 #[command(after_help = "\
 Examples:
   cargo grafcet export plcopen --chart Motor -o motor.xml
   cargo grafcet export plcopen --chart Motor -o motor.xml --scan-step       for Beremiz
+  cargo grafcet export plcopen --chart Motor -o motor.xml --edition iec61131-10
   cargo grafcet export plcopen --out plcopen    all charts of the crate as plcopen/NAME.xml
 
 Exit code 1 says that a chart has errors or no translation.")]
@@ -125,6 +124,17 @@ pub(crate) struct Plcopen {
     /// Let a step of its own, beside the chart, do what is done in each scan: Beremiz needs that, CODESYS has one initial step
     #[arg(long)]
     pub(crate) scan_step: bool,
+    /// Which XML: TC6 2.01 of PLCopen, which most tools read; or IEC 61131-10
+    #[arg(long, value_enum, default_value_t, value_name = "EDITION")]
+    pub(crate) edition: PlcopenEdition,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum PlcopenEdition {
+    #[default]
+    Tc6,
+    #[value(name = "iec61131-10")]
+    Iec61131Part10,
 }
 
 /// Structured text (IEC 61131-3): a function block
@@ -197,27 +207,30 @@ pub(crate) fn run(options: &Export) -> Result<Outcome, Failure> {
             each(&options.charts, &options.result, "st", |model| textual(model).map(Translation::from))
         }
         Export::Plcopen(options) => {
-            let wanted = plcopen::Options { scan_step: options.scan_step };
+            let edition = match options.edition {
+                PlcopenEdition::Tc6 => plcopen::Edition::Tc6,
+                PlcopenEdition::Iec61131Part10 => plcopen::Edition::Iec61131Part10,
+            };
+            let wanted = plcopen::Options { scan_step: options.scan_step, edition };
             each(&options.charts, &options.result, "xml", |model| plcopen(model, wanted).map(Translation::from))
         }
         Export::Pnml(options) => each(&options.charts, &options.result, "pnml", |model| {
             pnml::pnml(model).map(|text| Translation { text, to_write: Vec::new() })
         }),
         Export::Aiger(options) => {
-            each_of(&options.charts, &options.result, "aag", with_plants, |model| circuit(model, circuits::aiger_text))
+            each_of(&options.charts, &options.result, "aag", sound, |model| circuit(model, Notation::Aiger))
         }
         Export::Btor2(options) => {
-            each_of(&options.charts, &options.result, "btor2", with_plants, |model| circuit(model, circuits::btor2))
+            each_of(&options.charts, &options.result, "btor2", sound, |model| circuit(model, Notation::Btor2))
         }
     }
 }
 
 /// The cycle as a circuit.
-fn circuit(model: &Model, write: fn(&Program<'_>, &Circuit) -> String) -> Result<Translation, Vec<Refused>> {
-    let none = |why: String| vec![Refused { mark: None, message: format!("there is no circuit: {why}") }];
-    let program = counted(model, &Facts::of(model), Encoding::Regions).map_err(|why| none(why.to_string()))?;
-    let circuit = Circuit::of(&program).map_err(|why| none(why.to_string()))?;
-    Ok(Translation { text: write(&program, &circuit), to_write: Vec::new() })
+fn circuit(model: &Model, notation: Notation) -> Result<Translation, Vec<Refused>> {
+    let done = circuits::text(model, notation, None);
+    let text = done.map_err(|why| vec![Refused { mark: None, message: why.to_string() }])?;
+    Ok(Translation { text, to_write: Vec::new() })
 }
 
 fn st(options: &StructuredText) -> Result<Outcome, Failure> {

@@ -20,6 +20,14 @@ pub(crate) fn with_plants(chart: &Found) -> Option<Model> {
     whole(chart, plant::model)
 }
 
+/// The same with its plants, of a chart that does what it should; what is wrong is said. What it claims is for those to decide who get the model.
+pub(crate) fn sound(chart: &Found) -> Option<Model> {
+    let said = check::messages_of(chart, None);
+    let wrong = said.iter().filter(|message| message.is_error() && !message.said.is_about_a_claim());
+    let wrong = wrong.map(|message| complain(&human::shown(message))).count();
+    if wrong > 0 { None } else { with_plants(chart) }
+}
+
 /// The model of a chart that does what it should, without its plants; what is wrong is said. What it claims of itself may be open or broken.
 pub(crate) fn accepted(chart: &Found) -> Option<Model> {
     if complaints(chart) { None } else { drawn(chart) }

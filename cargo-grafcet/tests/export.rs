@@ -168,3 +168,37 @@ fn circuits() {
     assert!(read("press.aag").starts_with("aag "));
     assert!(read("press.btor2").contains(" bad "));
 }
+
+/// A property that is open holds no circuit up; what the chart does wrong does, and is said once.
+#[test]
+fn no_circuit_of_a_chart_that_has_errors() {
+    let dead = "grafcet! { sfc Dead { input a: bool; never B.X; initial step A; step B; step C; A -[a]-> B -[!a]-> A; C -[a]-> A; } }";
+    let folder = folder(&[("dead.rs", dead)]);
+    for notation in ["aiger", "btor2"] {
+        let done = tool(folder.path(), &["export", notation, "dead.rs"]);
+        assert_eq!((done.code, done.out.as_str()), (Some(1), ""), "{notation}: {done:?}");
+        assert!(done.err.contains("C") && !done.err.contains("property_violated"), "{}", done.err);
+        assert_eq!(done.err.matches("--> dead.rs:").count(), done.err.matches("error[").count(), "{}", done.err);
+    }
+}
+
+/// Both editions hold the same chart.
+#[test]
+fn editions_of_plcopen() {
+    let folder = folder(&[("press.rs", PRESS)]);
+    let export = |edition: &[&str], file: &str| {
+        let words = [&["export", "plcopen", "press.rs", "--chart", "Both", "-o", file], edition].concat();
+        assert_eq!(tool(folder.path(), &words).code, Some(0), "{words:?}");
+        let text = fs::read_to_string(folder.path().join(file)).expect("a file");
+        let back = tool(folder.path(), &["import", file]);
+        assert_eq!(back.code, Some(0), "{back:?}");
+        (text, back.out.replace(file, "FILE"))
+    };
+    let (tc6, from_tc6) = export(&[], "both.xml");
+    let (same, _) = export(&["--edition", "tc6"], "same.xml");
+    let (part10, from_part10) = export(&["--edition", "iec61131-10"], "both10.xml");
+    assert!(tc6.contains("http://www.plcopen.org/xml/tc6_0201") && tc6 == same);
+    assert!(part10.contains("www.iec.ch/public/TC65SC65BWG7TF10"), "{part10}");
+    assert_eq!(from_tc6, from_part10);
+    assert_eq!(tool(folder.path(), &["export", "plcopen", "press.rs", "--edition", "tc7"]).code, Some(2));
+}

@@ -3,7 +3,7 @@
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::plant;
 use grafcet_exchange::import::{Imported, Wrong, import};
-use grafcet_exchange::plcopen::{Options, plcopen};
+use grafcet_exchange::plcopen::{Edition, Options, plcopen};
 
 fn imported(text: &str) -> Imported {
     import(text, "there.st").unwrap_or_else(|wrong| panic!("{wrong:?}"))
@@ -244,8 +244,9 @@ fn garbage() {
     let mut sink = Sink::new();
     let model = plant::model(chart.parse().expect("tokens"), &mut sink).expect("a chart");
     _ = sink.finish();
-    let xml = plcopen(&model, Options::default()).expect("a translation").text;
-    for text in [xml.as_str(), STATION] {
+    let xml = [Edition::Tc6, Edition::Iec61131Part10]
+        .map(|edition| plcopen(&model, Options { edition, ..Options::default() }).expect("a translation").text);
+    for text in [&*xml[0], &*xml[1], STATION] {
         for end in (0..text.len()).step_by(3) {
             if text.is_char_boundary(end) {
                 _ = import(&text[..end], "there");
@@ -273,6 +274,8 @@ fn garbage() {
             "END_STEP",
             "é",
             "localId=\"1\"",
+            "connectionPointOutId=\"1\"",
+            "xsi:type=\"Step\"",
             "%",
             "T#",
             "#",

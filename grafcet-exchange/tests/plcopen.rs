@@ -192,7 +192,7 @@ fn nothing_stands_upon_another() {
 /// What is done in each scan stands at a step beside the chart, which leads nowhere.
 #[test]
 fn a_step_for_each_scan() {
-    let done = plcopen(&model(CHART), Options { scan_step: true }).expect("a translation");
+    let done = plcopen(&model(CHART), Options { scan_step: true, ..Options::default() }).expect("a translation");
     let document = Document::parse(&done.text).expect("XML");
     let initial = elements(&document, "step").into_iter().filter(|step| step.attribute("initialStep") == Some("true"));
     let names: Vec<_> = initial.filter_map(|step| step.attribute("name")).collect();

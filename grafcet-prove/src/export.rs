@@ -3,13 +3,68 @@
 //! A property is a bad state, in the order of the chart; what is assumed is a constraint. Names of inputs and latches are in the symbol
 //! table: a bit of a number is `name[2]`.
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 
-use grafcet_compiler::program::Program;
+use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::model::Model;
+use grafcet_compiler::program::{Encoding, Program, counted};
 
 use crate::aig::{Lit, Node};
 use crate::circuit::Circuit;
 use crate::play::wire_name;
+
+/// How a circuit is written as text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Notation {
+    /// AIGER, in its text form.
+    Aiger,
+    Btor2,
+}
+
+/// Why there is none.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum NoCircuit {
+    /// It has more gates than are wanted.
+    TooLarge,
+    /// What in the chart is not modelled.
+    Refused(String),
+}
+
+impl fmt::Display for NoCircuit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let why = match self {
+            Self::TooLarge => "it is too large",
+            Self::Refused(why) => why,
+        };
+        write!(f, "there is no circuit: {why}")
+    }
+}
+
+/// The cycle of a chart as a circuit, as text; `model` is the chart with its plants. With `largest` it has so many gates at most.
+///
+/// # Errors
+/// There is no circuit: why, as a sentence for the user.
+pub fn text(model: &Model, notation: Notation, largest: Option<usize>) -> Result<String, NoCircuit> {
+    let program = counted(model, &Facts::of(model), Encoding::Regions);
+    let program = program.map_err(|why| NoCircuit::Refused(why.to_string()))?;
+    let circuit = match largest {
+        Some(largest) => Circuit::within(&program, largest),
+        None => Circuit::of(&program),
+    };
+    let circuit = match circuit {
+        Ok(circuit) => circuit,
+        Err(why) if why.is_too_large() => return Err(NoCircuit::TooLarge),
+        Err(why) => return Err(NoCircuit::Refused(why.to_string())),
+    };
+    // Only a search asks for its bound while it is unrolled.
+    if largest.is_some_and(|largest| circuit.aig.len() > largest) {
+        return Err(NoCircuit::TooLarge);
+    }
+    Ok(match notation {
+        Notation::Aiger => aiger_text(&program, &circuit),
+        Notation::Btor2 => btor2(&program, &circuit),
+    })
+}
 
 /// The circuit with the numbers of AIGER: inputs, latches, then gates.
 struct Numbered {

@@ -1,7 +1,10 @@
 //! A chart with a place for everything that it is given: its inputs, and what the program around it tells.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
+
+use grafcet_compiler::analysis::{Facts, Situations};
+use grafcet_core::{ForceError, Possible};
 
 use crate::{Chart, Cycle, Error, Kind, Program, Signal, Simulation, Value};
 
@@ -14,6 +17,8 @@ pub struct Beside<'c> {
     chart: &'c Chart,
     signals: Vec<Signal>,
     told: Told,
+    /// Which situations there are, once somebody has asked.
+    situations: OnceCell<Situations>,
 }
 
 impl<'c> Beside<'c> {
@@ -21,7 +26,7 @@ impl<'c> Beside<'c> {
     #[must_use]
     pub fn of(chart: &'c Chart) -> Self {
         let signals = chart.names().inputs.iter().cloned().chain(chart.outside()).collect();
-        Self { chart, signals, told: Told::default() }
+        Self { chart, signals, told: Told::default(), situations: OnceCell::new() }
     }
 
     /// The chart before its first cycle.
@@ -65,6 +70,28 @@ impl<'c> Beside<'c> {
         let mut next = before.clone();
         let cycle = next.force(now, steps, &named)?;
         Ok((next, cycle))
+    }
+
+    /// Whether the compiled chart lets itself be put into exactly these steps by hand.
+    ///
+    /// # Errors
+    /// It is not `forceable;`, has no such step, or is never in exactly these: why, as a sentence for the user.
+    pub fn may_be(&self, steps: &[&str]) -> Result<(), String> {
+        let (model, names) = (self.chart.model(), self.chart.names());
+        if !model.forceable {
+            return Err("the chart takes no cycle by hand: it does not say `forceable;`".to_owned());
+        }
+        let place = |step: &&str| names.step_named(step).ok_or_else(|| format!("there is no step `{step}`"));
+        let places = steps.iter().map(place).collect::<Result<Vec<usize>, String>>()?;
+        let all: Vec<usize> = (0..model.steps.len()).collect();
+        let situations = self.situations.get_or_init(|| Situations::of(model, &Facts::of(model)));
+        let name = |place: usize| &names.steps[place].name;
+        possible(situations).look(&all, &places).map_err(|error| match error {
+            ForceError::NeverTogether(one, other) => {
+                format!("`{}` and `{}` are never active together", name(one), name(other))
+            }
+            ForceError::NoSituation => "the chart has no situation of exactly these steps".to_owned(),
+        })
     }
 
     /// Tells what is the program's; the inputs are left.
@@ -112,5 +139,18 @@ impl<'c> Beside<'c> {
             Kind::Other(_) if place < self.inputs() => Value::Name("?".to_owned()),
             Kind::Other(_) => Value::Name(signal.name.split_whitespace().collect()),
         }
+    }
+}
+
+/// The situations of a chart, as the compiled chart has them.
+fn possible(situations: &Situations) -> Possible<'_> {
+    match situations {
+        Situations::Unknown => Possible::Unknown,
+        Situations::Alone => Possible::Alone,
+        Situations::Listed(table) => Possible::Listed(table),
+        Situations::Diagram(table) => Possible::Diagram(table),
+        Situations::Pairs(table) => Possible::Pairs(table),
+        Situations::Parts(pairs, parts) => Possible::Parts(pairs, parts),
+        Situations::Whole(table) => Possible::Whole(table),
     }
 }

@@ -28,7 +28,7 @@ pub fn check(text: &str) -> String {
     look::check(text).to_string()
 }
 
-/// The same chart in another notation: `rust`, `case`, `flip-flops`, `sfc`, `plcopen`, `pnml`; as JSON.
+/// The same chart in another notation: `rust`, `case`, `flip-flops`, `sfc`, `plcopen`, `pnml`, `aiger`, `btor2`; as JSON.
 ///
 /// # Errors
 /// There is no notation of that name.
@@ -117,6 +117,14 @@ impl Session {
     /// As of [`Session::advance`].
     pub fn force(&mut self, now: u32, steps: &[usize]) -> Result<String, String> {
         Ok(self.0.force(now, steps)?.to_string())
+    }
+
+    /// The next cycle, which leads into the situation of these steps, as the compiled chart lets itself be put into it; as JSON.
+    ///
+    /// # Errors
+    /// The chart is not `forceable;` or is never in exactly these steps, or as of [`Session::advance`].
+    pub fn by_hand(&mut self, steps: &[usize]) -> Result<String, String> {
+        Ok(self.0.by_hand(steps)?.to_string())
     }
 
     /// The classic *Init*: the next cycle starts like a first one.

@@ -61,7 +61,9 @@ impl Play {
     /// The names of everything, and what kind of value each has.
     #[must_use]
     pub fn names(&self) -> Json {
-        json::names(self.all_names(), self.beside.signals())
+        let mut names = json::names(self.all_names(), self.beside.signals());
+        names["forceable"] = self.beside.chart().model().forceable.into();
+        names
     }
 
     /// The present moment.
@@ -164,20 +166,31 @@ impl Play {
         Ok(self.now())
     }
 
-    /// A cycle that leads into the situation of these steps.
+    /// A cycle that leads into the situation of these steps, as [`grafcet_sim::Simulation::force`]: nobody asks whether the chart can be in it.
     ///
     /// # Errors
     /// There is no such step, or the chart's own arithmetic fails; nothing has changed then.
     pub fn force(&mut self, now: u32, steps: &[usize]) -> Result<Json, String> {
+        let situation = self.situation(steps)?;
+        let done = self.beside.force(self.simulation(), now, &self.values, &situation);
+        let (simulation, cycle) = done.map_err(|error| error.to_string())?;
+        self.made(simulation, cycle, true);
+        Ok(self.now())
+    }
+
+    /// The next cycle, which leads into the situation of these steps, as the compiled chart lets itself be put into it.
+    ///
+    /// # Errors
+    /// The chart is not `forceable;`, or is never in exactly these steps; else as of [`Play::force`].
+    pub fn by_hand(&mut self, steps: &[usize]) -> Result<Json, String> {
+        self.beside.may_be(&self.situation(steps)?)?;
+        self.force(self.next(), steps)
+    }
+
+    fn situation(&self, steps: &[usize]) -> Result<Vec<&'static str>, String> {
         let names = self.all_names();
         let situation = steps.iter().map(|step| names.steps.get(*step).map(|step| step.name.as_str()));
-        let situation: Vec<&str> = situation.collect::<Option<_>>().ok_or("there is no such step")?;
-        let signals = names.inputs.iter().zip(&self.values);
-        let inputs: Vec<(&str, Value)> = signals.map(|(input, value)| (input.name.as_str(), value.clone())).collect();
-        let mut simulation = self.simulation().clone();
-        let cycle = simulation.force(now, &situation, &inputs).map_err(|error| error.to_string())?;
-        self.made(simulation, cycle);
-        Ok(self.now())
+        situation.collect::<Option<_>>().ok_or_else(|| "there is no such step".to_owned())
     }
 
     /// The classic *Init*: the next cycle starts like a first one.
@@ -236,11 +249,11 @@ impl Play {
     fn cycle(&mut self, now: u32) -> Result<(), String> {
         let done = self.beside.cycle(self.simulation(), now, &self.values);
         let (simulation, cycle) = done.map_err(|error| error.to_string())?;
-        self.made(simulation, cycle);
+        self.made(simulation, cycle, false);
         Ok(())
     }
 
-    fn made(&mut self, simulation: Simulation<'static>, cycle: Cycle) {
+    fn made(&mut self, simulation: Simulation<'static>, cycle: Cycle, forced: bool) {
         let before = &self.now;
         let since = before.cycle.as_ref().map_or(0, |before| cycle.now.wrapping_sub(before.now));
         let differs = |last: &Cycle| {
@@ -248,7 +261,7 @@ impl Play {
             is_late || since != before.step || cycle.shows_more_than(last)
         };
         // What was changed by hand is not there when that moment is run again.
-        let by_hand = self.changed.take().is_some();
+        let by_hand = self.changed.take().is_some() || forced;
         let is_new = by_hand || before.values != self.values || before.cycle.as_ref().is_none_or(differs);
         let next = Moment {
             values: self.values.clone(),

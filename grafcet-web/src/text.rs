@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use grafcet_compiler::diagnostic::{Mark, Sink};
 use grafcet_compiler::model::{self, Model};
-use grafcet_compiler::parse;
+use grafcet_compiler::{parse, plant};
 use grafcet_sim::{calls, chart_name};
 use proc_macro2::{Span, TokenStream};
 
@@ -85,6 +85,14 @@ impl Written {
     pub(crate) fn drawn(&self) -> Option<Model> {
         let (model, whole) = self.model()?;
         whole.then_some(model)
+    }
+
+    /// The model together with its plants, what a proof is about.
+    pub(crate) fn with_plants(&self) -> Option<Model> {
+        let mut sink = Sink::new();
+        let model = plant::model(self.tokens.clone(), &mut sink);
+        let said = sink.finish();
+        model.filter(|model| !model.incomplete && said.iter().all(|one| one.rule.is_some()))
     }
 
     /// The model, and whether nothing of the source is missing in it.

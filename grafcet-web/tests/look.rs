@@ -95,6 +95,14 @@ fn other_notations() {
     assert!(translated(MOTOR, "sfc")["text"].as_str().expect("a program").contains("INITIAL_STEP OffStep:"));
     assert!(translated(MOTOR, "plcopen")["text"].as_str().expect("a project").contains("<SFC>"));
     assert!(translated(MOTOR, "pnml")["text"].as_str().expect("a net").contains("<pnml"));
+    assert!(translated(MOTOR, "aiger")["text"].as_str().expect("a circuit").starts_with("aag "));
+    assert!(translated(MOTOR, "btor2")["text"].as_str().expect("a circuit").starts_with("1 sort bitvec 1\n"));
+    let files = ["rust", "case", "flip-flops", "sfc", "plcopen", "pnml", "aiger", "btor2"]
+        .map(|form| translated(MOTOR, form)["file"].as_str().expect("a name").to_owned());
+    assert_eq!(
+        files,
+        ["Motor.rs", "Motor.st", "Motor.st", "Motor.st", "Motor.xml", "Motor.pnml", "Motor.aag", "Motor.btor2"]
+    );
     assert!(translate(MOTOR, "ladder").is_err());
     let broken = translated(&MOTOR.replace("-[on]->", "-[onn]->"), "rust");
     assert_eq!(broken["refused"][0]["text"], json!("the chart has an error: mend that first"));
@@ -110,4 +118,31 @@ fn what_has_no_translation_says_where() {
         let refused = &translated(text, form)["refused"][0];
         assert!(refused["from"].is_u64() && refused["to"].as_u64() > refused["from"].as_u64(), "{form}: {refused}");
     }
+}
+
+/// The circuit has the plant, whose step is asked for in the property.
+#[test]
+fn a_circuit_has_its_plants_and_its_bound() {
+    let press = "sfc Press { input go, bottom: bool; output down: bool;
+        initial step Up; step Down { down; } Up -[go]-> Down -[bottom]-> Up; never Up.X && Ram::Low.X; }
+        plant Ram { input down: bool; output bottom: bool; initial step Top; step Low { bottom; }
+        Top -[down]-> Low -[!down]-> Top; }";
+    let text = translated(press, "btor2");
+    let text = text["text"].as_str().unwrap_or_else(|| panic!("{text}"));
+    assert!(text.contains(" bad ") && text.contains("Ram"), "{text}");
+    // Each output is a number of its own that its step changes, so the circuit is large.
+    let wide = |steps: usize| {
+        let part = |step: usize| {
+            let initial = if step == 0 { "initial " } else { "" };
+            let next = (step + 1) % steps;
+            format!(
+                "output n{step}: u64; {initial}step S{step} {{ P1 {{ n{step} = n{step} * n{step} + 1; }} }} S{step} -[go]-> S{next}; "
+            )
+        };
+        format!("sfc Wide {{ input go: bool; {}}}", (0..steps).map(part).collect::<Vec<_>>().concat())
+    };
+    assert!(translated(&wide(2), "aiger")["text"].is_string());
+    let refused = &translated(&wide(60), "aiger")["refused"][0];
+    let why = "there is no circuit: it is too large for this page; `cargo grafcet export` writes larger ones";
+    assert_eq!(refused["text"], json!(why));
 }

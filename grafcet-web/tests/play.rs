@@ -185,3 +185,46 @@ fn arithmetic_that_fails_leaves_the_chart_where_it_was() {
     assert!(error.contains("overflow"), "{error}");
     assert_eq!((&play.now()["number"], &play.now()["outputs"]), (&json!(6), &json!([200])));
 }
+
+/// Two branches that are left together.
+const PRESS: &str = "sfc Press { forceable; input go, done: bool; output down, lamp: bool;
+    initial step Up; step Down { N down; } step Light { N lamp; }
+    Up -[go]-> (Down, Light); (Down, Light) -[done]-> Up; }";
+
+#[test]
+fn by_hand_as_the_compiled_chart_lets_itself_be_put() {
+    let mut press = Play::new(PRESS, 10).expect("a chart");
+    assert_eq!(press.names()["forceable"], json!(true));
+    press.advance(3).expect("cycles");
+    let shown = press.by_hand(&[1, 2]).expect("a situation");
+    assert_eq!(
+        (&shown["number"], &shown["steps"], &shown["outputs"], &shown["isNew"]),
+        (&json!(4), &json!([1, 2]), &json!([true, true]), &json!(true))
+    );
+    assert_eq!(shown["elapsed"], json!(30), "it is the next cycle");
+    let refused = |press: &mut Play, steps: &[usize]| press.by_hand(steps).expect_err("no situation");
+    assert_eq!(refused(&mut press, &[0, 2]), "`Up` and `Light` are never active together");
+    assert_eq!(refused(&mut press, &[1]), "the chart has no situation of exactly these steps");
+    assert_eq!(refused(&mut press, &[7]), "there is no such step");
+    assert_eq!(press.now(), shown, "what is refused changes nothing");
+    let mut plain = door();
+    assert_eq!(plain.names()["forceable"], json!(false));
+    assert!(plain.by_hand(&[1]).is_err_and(|why| why.contains("does not say `forceable;`")));
+}
+
+#[test]
+fn what_was_forced_is_there_on_the_way_back() {
+    let mut press = Play::new(PRESS, 10).expect("a chart");
+    press.advance(2).expect("cycles");
+    press.set(0, "true").expect("an input");
+    // It would go down; by hand it stays where it is, and goes down a cycle later.
+    let held = press.by_hand(&[0]).expect("a situation");
+    assert_eq!((&held["number"], &held["steps"]), (&json!(3), &json!([0])));
+    let held_again = press.by_hand(&[0]).expect("a situation");
+    assert_eq!((&held_again["number"], &held_again["steps"]), (&json!(4), &json!([0])));
+    assert_eq!(press.advance(1).expect("a cycle")[0]["steps"], json!([1, 2]));
+    press.advance(5).expect("cycles");
+    for (cycle, steps) in [(5, json!([1, 2])), (4, json!([0])), (3, json!([0])), (2, json!([0]))] {
+        assert_eq!(press.rewind(cycle).expect("kept")["steps"], steps, "cycle {cycle}");
+    }
+}

@@ -2,9 +2,6 @@
 
 use std::collections::VecDeque;
 
-use grafcet_compiler::analysis::{Facts, Situations};
-use grafcet_compiler::model::Model;
-use grafcet_core::{ForceError, Possible};
 use grafcet_sim::{Beside, Chart, Cycle, Error, Kind, Names, Signal, Simulation, Value};
 
 use super::script::Played;
@@ -68,25 +65,8 @@ impl<'c> Session<'c> {
     /// The chart is not `forceable;`, has no such step, or is never in exactly these; or as of [`Session::cycle`]. Nothing has changed then.
     pub(crate) fn force(&mut self, steps: Vec<String>) -> Result<&Cycle, String> {
         let now = self.next();
-        self.may_be(&steps)?;
+        self.beside.may_be(&steps.iter().map(String::as_str).collect::<Vec<_>>())?;
         self.cycle_at(now, Some(steps)).map_err(|error| error.to_string())
-    }
-
-    /// Whether the compiled chart lets itself be put into these steps.
-    fn may_be(&self, steps: &[String]) -> Result<(), String> {
-        let (model, names) = (self.chart().model(), self.names());
-        if !model.forceable {
-            return Err("the chart takes no cycle by hand: it does not say `forceable;`".to_owned());
-        }
-        let place = |step: &String| names.step_named(step).ok_or_else(|| format!("there is no step `{step}`"));
-        let places = steps.iter().map(place).collect::<Result<Vec<usize>, String>>()?;
-        let name = |place: usize| &names.steps[place].name;
-        looked(model, &places).map_err(|error| match error {
-            ForceError::NeverTogether(one, other) => {
-                format!("`{}` and `{}` are never active together", name(one), name(other))
-            }
-            ForceError::NoSituation => "the chart has no situation of exactly these steps".to_owned(),
-        })
     }
 
     /// One cycle as a script has it.
@@ -105,7 +85,7 @@ impl<'c> Session<'c> {
             self.params[*place] = value.clone();
         }
         if let Some(steps) = &played.by_hand {
-            self.may_be(steps)?;
+            self.beside.may_be(&steps.iter().map(String::as_str).collect::<Vec<_>>())?;
         }
         self.cycle_at(played.now, played.by_hand.clone()).map_err(|error| error.to_string())
     }
@@ -242,20 +222,4 @@ impl<'c> Session<'c> {
     pub(crate) fn simulation(&self) -> &Simulation<'c> {
         &self.now.simulation
     }
-}
-
-/// As the compiled chart looks at them.
-fn looked(model: &Model, steps: &[usize]) -> Result<(), ForceError<usize>> {
-    let known = Situations::of(model, &Facts::of(model));
-    let possible = match &known {
-        Situations::Unknown => Possible::Unknown,
-        Situations::Alone => Possible::Alone,
-        Situations::Listed(table) => Possible::Listed(table),
-        Situations::Diagram(table) => Possible::Diagram(table),
-        Situations::Pairs(table) => Possible::Pairs(table),
-        Situations::Parts(pairs, parts) => Possible::Parts(pairs, parts),
-        Situations::Whole(table) => Possible::Whole(table),
-    };
-    let all: Vec<usize> = (0..model.steps.len()).collect();
-    possible.look(&all, steps)
 }

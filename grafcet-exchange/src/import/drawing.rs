@@ -7,14 +7,17 @@ use roxmltree::Node;
 use super::Wrong;
 use super::drawn;
 use super::source::{Block, Piece, Pou, Step, Transition, What};
-use super::xml::{attribute, body_of, child, child_any, children, head, is, line_of, missing, note, one_line, words};
+use super::xml::{
+    attribute, body_of, by_number, child, child_any, children, head, is, kind, line_of, missing, note, numbers,
+    one_line, reference, words,
+};
 
-/// A drawing, by the numbers of its elements.
+/// A drawing, by the numbers to which its lines lead.
 pub(super) struct Chart<'d> {
     content: Node<'d, 'd>,
-    by_id: BTreeMap<String, Node<'d, 'd>>,
-    /// By the number of an element, what its connections lead to.
-    out: BTreeMap<String, Vec<Node<'d, 'd>>>,
+    by_id: BTreeMap<&'d str, Node<'d, 'd>>,
+    /// What the lines from there lead to.
+    out: BTreeMap<&'d str, Vec<Node<'d, 'd>>>,
     named: BTreeMap<String, Piece>,
 }
 
@@ -22,10 +25,11 @@ impl<'d> Chart<'d> {
     pub(super) fn new(content: Node<'d, 'd>, named: BTreeMap<String, Piece>) -> Result<Self, Wrong> {
         let mut chart = Self { content, by_id: BTreeMap::new(), out: BTreeMap::new(), named };
         for element in content.children().filter(Node::is_element) {
-            let Some(id) = element.attribute("localId") else { continue };
-            if chart.by_id.insert(id.to_owned(), element).is_some() {
-                let message = format!("two elements have the number {id}");
-                return Err(Wrong { at: head(element), message });
+            for id in numbers(element) {
+                if chart.by_id.insert(id, element).is_some() {
+                    let message = format!("two elements have the number {id}");
+                    return Err(Wrong { at: head(element), message });
+                }
             }
             for from in Self::sources(element) {
                 chart.out.entry(from).or_default().push(element);
@@ -34,11 +38,10 @@ impl<'d> Chart<'d> {
         Ok(chart)
     }
 
-    /// The numbers of what is connected with the pins of an element.
-    fn sources(element: Node<'d, 'd>) -> Vec<String> {
+    /// The numbers to which the lines at the pins of an element lead.
+    fn sources(element: Node<'d, 'd>) -> Vec<&'d str> {
         let pins = children(element, "connectionPointIn");
-        let connections = pins.flat_map(|pin| children(pin, "connection"));
-        connections.filter_map(|node| node.attribute("refLocalId").map(str::to_owned)).collect()
+        pins.flat_map(|pin| children(pin, "connection")).filter_map(reference).collect()
     }
 
     pub(super) fn read(&self, pou: &mut Pou) -> Result<(), Wrong> {
@@ -46,7 +49,7 @@ impl<'d> Chart<'d> {
         let mut elements: Vec<Node<'d, 'd>> = self.content.children().filter(Node::is_element).collect();
         elements.sort_by_key(|element| place(*element));
         for element in &elements {
-            match element.tag_name().name() {
+            match &*kind(*element) {
                 "step" => pou.steps.push(Step {
                     name: attribute(*element, "name")?,
                     at: head(*element),
@@ -65,7 +68,7 @@ impl<'d> Chart<'d> {
             }
         }
         for element in elements {
-            match element.tag_name().name() {
+            match &*kind(element) {
                 "transition" => {
                     let transition = self.transition(element)?;
                     let loose = match (transition.from.is_empty(), transition.to.is_empty()) {
@@ -79,7 +82,7 @@ impl<'d> Chart<'d> {
                         pou.lost.push((head(element), format!("a transition, as {loose}")));
                     }
                 }
-                "actionBlock" => self.blocks(element, pou)?,
+                "actionBlock" | "actionBlocks" => self.blocks(element, pou)?,
                 _ => {}
             }
         }
@@ -94,34 +97,35 @@ impl<'d> Chart<'d> {
             name: None,
             at: head(element),
             note: note(element),
-            priority: element.attribute("priority").and_then(|text| text.parse().ok()),
+            priority: self.priority(element),
             from,
             to,
             condition: self.condition(element),
         })
     }
 
+    /// Its own one, or that of the branch at whose beginning it stands.
+    fn priority(&self, element: Node<'d, 'd>) -> Option<u64> {
+        let of_branch = || {
+            Self::sources(element).into_iter().find_map(|id| {
+                let is_branch = |pin: &Node<'_, '_>| pin.attribute("connectionPointOutId") == Some(id);
+                children(*self.by_id.get(id)?, "ConnectionPointOut").find(is_branch)?.attribute("priority")
+            })
+        };
+        element.attribute("priority").or_else(of_branch).and_then(|text| text.trim().parse().ok())
+    }
+
     fn condition(&self, element: Node<'d, 'd>) -> Piece {
         let nothing = Piece { text: "TRUE".to_owned(), at: head(element), language: None };
         let Some(condition) = child(element, "condition") else { return nothing };
-        let mut text = if let Some(inline) = child(condition, "inline") {
+        let mut text = if let Some(inline) = child(condition, "inline").or_else(|| child(condition, "TextualPredicate"))
+        {
             body_of(inline)
         } else if let Some(name) = child(condition, "reference").and_then(|node| node.attribute("name")) {
             let known = self.named.get(&name.to_lowercase()).cloned();
             known.unwrap_or_else(|| Piece { text: name.to_owned(), at: head(condition), language: None })
         } else {
-            let pins = children(condition, "connectionPointIn").flat_map(|pin| children(pin, "connection"));
-            let from: Vec<Node<'d, 'd>> =
-                pins.filter_map(|node| self.by_id.get(node.attribute("refLocalId")?).copied()).collect();
-            let by_id = |id: &str| self.by_id.get(id).copied();
-            let each: Option<Vec<String>> = from.iter().map(|one| drawn::condition(*one, &by_id)).collect();
-            match each.filter(|each| !each.is_empty()) {
-                Some(each) => Piece { text: each.join(" OR "), at: head(condition), language: None },
-                None => {
-                    let lines: Vec<String> = self.upstream(from).into_iter().map(line_of).collect();
-                    Piece { text: lines.join("\n"), at: head(condition), language: Some("FBD or LD".to_owned()) }
-                }
-            }
+            self.connected(condition)
         };
         if condition.attribute("negated") == Some("true") && text.language.is_none() {
             text.text = format!("NOT ({})", text.text.trim_end_matches(';'));
@@ -129,34 +133,42 @@ impl<'d> Chart<'d> {
         text
     }
 
-    /// Elements with all that they are connected with.
-    fn upstream(&self, mut all: Vec<Node<'d, 'd>>) -> Vec<Node<'d, 'd>> {
-        let mut index = 0;
-        while let Some(node) = all.get(index).copied() {
-            let connections = node.descendants().filter(|inner| is(inner, "connection"));
-            let sources = connections.filter_map(|inner| self.by_id.get(inner.attribute("refLocalId")?).copied());
-            for source in sources.collect::<Vec<_>>() {
-                if !all.contains(&source) {
-                    all.push(source);
-                }
+    /// A condition that is drawn: in the same drawing, or in a network of the transition, which has numbers of its own.
+    fn connected(&self, condition: Node<'d, 'd>) -> Piece {
+        let predicate = child(condition, "GraphicalPredicate").unwrap_or(condition);
+        let network = child(predicate, "GraphicalExpression");
+        let own = network.map(|network| by_number(network.children().filter(Node::is_element)));
+        let all = own.as_ref().unwrap_or(&self.by_id);
+        let pins = children(predicate, "connectionPointIn").flat_map(|pin| children(pin, "connection"));
+        let from: Vec<Node<'d, 'd>> = pins.filter_map(|line| all.get(reference(line)?).copied()).collect();
+        let by_id = |id: &str| all.get(id).copied();
+        let each: Option<Vec<String>> = from.iter().map(|one| drawn::condition(*one, &by_id)).collect();
+        match each.filter(|each| !each.is_empty()) {
+            Some(each) => Piece { text: each.join(" OR "), at: head(condition), language: None },
+            None => {
+                let lines: Vec<String> = upstream(all, from).into_iter().map(line_of).collect();
+                Piece { text: lines.join("\n"), at: head(condition), language: Some("FBD or LD".to_owned()) }
             }
-            index += 1;
         }
-        all
     }
 
     /// The steps that a transition leaves.
-    fn above(&self, element: Node<'d, 'd>, seen: &mut BTreeSet<String>, steps: &mut Vec<String>) -> Result<(), Wrong> {
+    fn above(&self, element: Node<'d, 'd>, seen: &mut BTreeSet<&'d str>, steps: &mut Vec<String>) -> Result<(), Wrong> {
         // A line that leads back to itself is gone along once.
-        for id in Self::sources(element).into_iter().filter(|id| seen.insert(id.clone())).collect::<Vec<_>>() {
-            let Some(source) = self.by_id.get(&id).copied() else {
+        for id in Self::sources(element).into_iter().filter(|id| seen.insert(id)).collect::<Vec<_>>() {
+            let Some(source) = self.by_id.get(id).copied() else {
                 let message = format!("it is connected with number {id}, which is not there");
                 return Err(Wrong { at: head(element), message });
             };
-            match source.tag_name().name() {
+            match &*kind(source) {
                 "step" => steps.push(attribute(source, "name")?),
                 "selectionDivergence" | "simultaneousConvergence" | "selectionConvergence" => {
                     self.above(source, seen, steps)?;
+                }
+                "continuation" => {
+                    for connector in self.others(source, "connector") {
+                        self.above(connector, seen, steps)?;
+                    }
                 }
                 name => {
                     return Err(Wrong {
@@ -169,20 +181,33 @@ impl<'d> Chart<'d> {
         Ok(())
     }
 
+    /// A line ends at a connector and goes on at the continuations of its name.
+    fn others(&self, element: Node<'d, 'd>, other: &str) -> Vec<Node<'d, 'd>> {
+        let label = |node: Node<'d, 'd>| node.attribute("label").or_else(|| node.attribute("name"));
+        let is_it = |node: &Node<'d, 'd>| kind(*node) == other && label(*node) == label(element);
+        self.content.children().filter(|node| node.is_element() && is_it(node)).collect()
+    }
+
     /// The steps that a transition enters.
-    fn below(&self, element: Node<'d, 'd>, seen: &mut BTreeSet<String>, steps: &mut Vec<String>) -> Result<(), Wrong> {
-        let id = element.attribute("localId").unwrap_or_default();
-        let mut all: Vec<Node<'d, 'd>> = self.out.get(id).cloned().unwrap_or_default();
+    fn below(&self, element: Node<'d, 'd>, seen: &mut BTreeSet<usize>, steps: &mut Vec<String>) -> Result<(), Wrong> {
+        let mut all: Vec<Node<'d, 'd>> =
+            numbers(element).into_iter().flat_map(|id| self.out.get(id).into_iter().flatten().copied()).collect();
         all.sort_by_key(|node| place(*node).1);
         for target in all {
-            if !target.attribute("localId").is_some_and(|id| seen.insert(id.to_owned())) {
+            // Whatever has a number, or a place in the file, is gone along once.
+            if !seen.insert(target.range().start) {
                 continue;
             }
-            match target.tag_name().name() {
+            match &*kind(target) {
                 "step" => steps.push(attribute(target, "name")?),
                 "jumpStep" => steps.push(attribute(target, "targetName")?),
                 "selectionConvergence" | "simultaneousDivergence" => self.below(target, seen, steps)?,
-                "comment" | "actionBlock" => {}
+                "connector" => {
+                    for continuation in self.others(target, "continuation") {
+                        self.below(continuation, seen, steps)?;
+                    }
+                }
+                "comment" | "actionBlock" | "actionBlocks" => {}
                 name => {
                     return Err(Wrong {
                         at: head(target),
@@ -196,33 +221,54 @@ impl<'d> Chart<'d> {
 
     fn blocks(&self, element: Node<'d, 'd>, pou: &mut Pou) -> Result<(), Wrong> {
         for id in Self::sources(element) {
-            let step = self.by_id.get(&id).and_then(|step| step.attribute("name"));
+            let step = self.by_id.get(id).and_then(|step| step.attribute("name"));
             let Some(step) = pou.steps.iter_mut().find(|other| Some(&*other.name) == step) else {
                 return Err(Wrong { at: head(element), message: "these actions belong to no step".to_owned() });
             };
-            for action in children(element, "action") {
-                let reference = child(action, "reference").and_then(|node| node.attribute("name"));
-                let what = match (reference, child(action, "inline")) {
-                    (Some(name), _) => What::Named(name.to_owned()),
-                    (None, Some(inline)) => What::Inline(body_of(inline)),
-                    (None, None) => return missing(action, "reference and no inline"),
-                };
-                step.blocks.push(Block {
-                    at: head(action),
-                    qualifier: action.attribute("qualifier").unwrap_or("N").to_owned(),
-                    time: action.attribute("duration").filter(|text| !text.is_empty()).map(str::to_owned),
-                    what,
-                });
+            for action in children(element, "action").chain(children(element, "ActionBlock")) {
+                step.blocks.push(block(action)?);
             }
         }
         Ok(())
     }
 }
 
+fn block<'d>(action: Node<'d, 'd>) -> Result<Block, Wrong> {
+    let named = child(action, "ReferenceName").or_else(|| child(action, "ComplexOperand")).map(words);
+    let reference = child(action, "reference").and_then(|node| node.attribute("name")).map(str::to_owned);
+    let what = match (reference.or(named), child(action, "inline")) {
+        (Some(name), _) => What::Named(name),
+        (None, Some(inline)) => What::Inline(body_of(inline)),
+        (None, None) => return missing(action, "reference and no inline"),
+    };
+    let qualifier = child(action, "ActionQualifier").unwrap_or(action);
+    Ok(Block {
+        at: head(action),
+        qualifier: qualifier.attribute("qualifier").unwrap_or("N").to_owned(),
+        time: qualifier.attribute("duration").filter(|text| !text.is_empty()).map(str::to_owned),
+        what,
+    })
+}
+
+/// Elements with all that they are connected with.
+fn upstream<'d>(by_id: &BTreeMap<&'d str, Node<'d, 'd>>, mut all: Vec<Node<'d, 'd>>) -> Vec<Node<'d, 'd>> {
+    let mut index = 0;
+    while let Some(node) = all.get(index).copied() {
+        let connections = node.descendants().filter(|inner| is(inner, "connection"));
+        for source in connections.filter_map(|inner| by_id.get(reference(inner)?).copied()) {
+            if !all.contains(&source) {
+                all.push(source);
+            }
+        }
+        index += 1;
+    }
+    all
+}
+
 /// Down and to the right.
 fn place(element: Node<'_, '_>) -> (i64, i64) {
     let number = |name: &str| {
-        let position = child_any(element, "position");
+        let position = child_any(element, "position").or_else(|| child_any(element, "RelPosition"));
         position.and_then(|node| node.attribute(name)).and_then(|text| text.parse::<f64>().ok()).unwrap_or_default()
     };
     #[allow(clippy::cast_possible_truncation, reason = "what is outside of a paper stands at its edge")]

@@ -1,4 +1,7 @@
-//! XML of PLCopen: drawings of SFC.
+//! XML of PLCopen, TC6 and IEC 61131-10: drawings of SFC.
+//!
+//! The two have the same words for the same things. Those of IEC 61131-10 begin with a capital, what an object is stands in its `xsi:type`, and
+//! lines lead to pins, not to objects.
 
 use std::collections::BTreeMap;
 
@@ -20,15 +23,64 @@ pub(super) fn pous(text: &str) -> Result<Vec<Pou>, Wrong> {
         Wrong { at: start..start, message: format!("this is no XML: {error}") }
     })?;
     let root = document.root_element();
-    if !root.has_tag_name("project") && root.tag_name().name() != "project" {
+    // Tools that keep a file for each program have that as its root.
+    let is_program = |node: &Node<'_, '_>| {
+        node.is_element() && ["Program", "FunctionBlock", "Function"].contains(&node.tag_name().name())
+    };
+    if !is(&root, "project") && !is_program(&root) {
         let message = "this is no PLCopen XML: its root is no `project`".to_owned();
         return Err(Wrong { at: root.range().start..root.range().start, message });
     }
-    root.descendants().filter(|node| is(node, "pou")).map(pou).collect()
+    root.descendants().filter(|node| is(node, "pou") || is_program(node)).map(pou).collect()
 }
 
 pub(super) fn is(node: &Node<'_, '_>, name: &str) -> bool {
-    node.is_element() && node.tag_name().name() == name
+    node.is_element() && same_word(node.tag_name().name(), name)
+}
+
+/// Whether both are one word, but for a capital at its beginning.
+fn same_word(one: &str, other: &str) -> bool {
+    let (mut one, mut other) = (one.chars(), other.chars());
+    let first = |word: &mut std::str::Chars<'_>| word.next().map(|letter| letter.to_ascii_lowercase());
+    first(&mut one) == first(&mut other) && one.as_str() == other.as_str()
+}
+
+/// What an object is, in the words of TC6.
+pub(super) fn kind(node: Node<'_, '_>) -> String {
+    let name = node.attribute((INSTANCE, "type")).map_or(node.tag_name().name(), after_colon);
+    let mut letters = name.chars();
+    letters.next().map_or_else(String::new, |first| first.to_ascii_lowercase().to_string() + letters.as_str())
+}
+
+const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
+
+/// A name without the short word for its namespace.
+fn after_colon(name: &str) -> &str {
+    name.rsplit_once(':').map_or(name, |(_, name)| name)
+}
+
+/// The number to which a line leads.
+pub(super) fn reference<'d>(connection: Node<'d, '_>) -> Option<&'d str> {
+    connection.attribute("refLocalId").or_else(|| connection.attribute("refConnectionPointOutId"))
+}
+
+/// The numbers by which lines know an object: its own, or those of the pins that they leave. The pin of a step's actions comes last.
+pub(super) fn numbers<'d>(object: Node<'d, 'd>) -> Vec<&'d str> {
+    if let Some(id) = object.attribute("localId") {
+        return vec![id];
+    }
+    let pins = |node: Node<'d, 'd>| {
+        let out = children(node, "ConnectionPointOut").chain(children(node, "ConnectionPointOutAction"));
+        out.filter_map(|pin| pin.attribute("connectionPointOutId"))
+    };
+    let inner = ["OutputVariables", "InOutVariables"].into_iter().flat_map(|list| children(object, list));
+    let inner = inner.flat_map(|list| list.children().filter(Node::is_element)).flat_map(pins);
+    pins(object).chain(inner).collect()
+}
+
+/// What is connected by which number.
+pub(super) fn by_number<'d>(objects: impl Iterator<Item = Node<'d, 'd>>) -> BTreeMap<&'d str, Node<'d, 'd>> {
+    objects.flat_map(|object| numbers(object).into_iter().map(move |number| (number, object))).collect()
 }
 
 pub(super) fn child<'d>(node: Node<'d, 'd>, name: &str) -> Option<Node<'d, 'd>> {
@@ -52,7 +104,9 @@ pub(super) fn one_line(text: &str) -> String {
 /// The beginning of an element, up to the end of its first tag's name.
 pub(super) fn head(node: Node<'_, '_>) -> Span {
     let range = node.range();
-    range.start..(range.start + 1 + node.tag_name().name().len()).min(range.end)
+    let text = node.document().input_text().get(range.clone()).unwrap_or_default();
+    let end = text.find(|letter: char| letter.is_whitespace() || ['/', '>'].contains(&letter)).unwrap_or(text.len());
+    range.start..range.start + end
 }
 
 pub(super) fn note(node: Node<'_, '_>) -> String {
@@ -73,29 +127,35 @@ pub(super) fn attribute(node: Node<'_, '_>, name: &str) -> Result<String, Wrong>
 
 fn pou<'d>(node: Node<'d, 'd>) -> Result<Pou, Wrong> {
     let mut pou = Pou { name: attribute(node, "name")?, at: head(node), ..Pou::default() };
-    if let Some(interface) = child(node, "interface") {
-        pou.returns = child(interface, "returnType").map(type_of);
-        variables(interface, &mut pou)?;
-        pou.notes.extend(child(interface, "documentation").map(|node| words(node)));
+    let interface = child(node, "interface").unwrap_or(node);
+    let returns = child(interface, "returnType").or_else(|| child(interface, "ResultType"));
+    pou.returns = returns.map(type_of);
+    for list in [child(interface, "Parameters"), Some(interface)].into_iter().flatten() {
+        variables(list, &mut pou)?;
     }
+    let documentation = child(interface, "documentation").map(words);
+    pou.notes.extend(documentation.iter().flat_map(|text| text.lines()).map(str::to_owned));
     let project = node.ancestors().find(|node| is(node, "project"));
     let comment =
         project.and_then(|project| child(project, "contentHeader")).and_then(|header| child(header, "Comment"));
-    let Some(content) = child(node, "body").and_then(|body| body.first_element_child()) else { return Ok(pou) };
-    if !is(&content, "SFC") {
+    let body = child(node, "body").and_then(|body| body.first_element_child());
+    let body = body.or_else(|| child(node, "MainBody").and_then(|body| child(body, "BodyContent")));
+    let Some(content) = body else { return Ok(pou) };
+    if language(content) != "SFC" {
         pou.body = words(content);
         return Ok(pou);
     }
     pou.notes.extend(comment.iter().flat_map(|node| words(*node).lines().map(str::to_owned).collect::<Vec<_>>()));
-    for action in child(node, "actions").into_iter().flat_map(|actions| children(actions, "action")) {
+    let inside = |list: &str| child(node, list).unwrap_or(node);
+    for action in children(inside("actions"), "action") {
         let body = child(action, "body").map_or_else(|| missing(action, "body"), |body| Ok(body_of(body)))?;
         pou.actions.push(Action { name: attribute(action, "name")?, note: note(action), body });
     }
-    let conditions = child(node, "transitions").into_iter().flat_map(|all| children(all, "transition"));
     let mut named = BTreeMap::new();
-    for condition in conditions {
+    for condition in children(inside("transitions"), "transition") {
         let name = attribute(condition, "name")?;
-        let body = child(condition, "body").map_or_else(|| missing(condition, "body"), Ok)?;
+        let body = child(condition, "body").or_else(|| child(condition, "Condition"));
+        let body = body.map_or_else(|| missing(condition, "body"), Ok)?;
         named.insert(name.to_lowercase(), named_condition(body, &name));
     }
     Chart::new(content, named)?.read(&mut pou)?;
@@ -105,11 +165,11 @@ fn pou<'d>(node: Node<'d, 'd>) -> Result<Pou, Wrong> {
 fn variables<'d>(interface: Node<'d, 'd>, pou: &mut Pou) -> Result<(), Wrong> {
     for list in interface.children().filter(Node::is_element) {
         let section = match list.tag_name().name() {
-            "inputVars" => Section::Input,
-            "outputVars" => Section::Output,
-            "inOutVars" => Section::InOut,
-            "externalVars" | "globalVars" => Section::External,
-            "localVars" | "tempVars" => Section::Local,
+            "inputVars" | "InputVars" => Section::Input,
+            "outputVars" | "OutputVars" => Section::Output,
+            "inOutVars" | "InoutVars" => Section::InOut,
+            "externalVars" | "globalVars" | "ExternalVars" | "GlobalVars" => Section::External,
+            "localVars" | "tempVars" | "Vars" | "TempVars" => Section::Local,
             _ => continue,
         };
         for variable in children(list, "variable") {
@@ -127,7 +187,7 @@ fn variables<'d>(interface: Node<'d, 'd>, pou: &mut Pou) -> Result<(), Wrong> {
                 constant: list.attribute("constant") == Some("true"),
                 ty,
                 init,
-                address: variable.attribute("address").filter(|text| !text.is_empty()).map(str::to_owned),
+                address: address(variable),
                 note: note(variable),
             });
         }
@@ -135,36 +195,67 @@ fn variables<'d>(interface: Node<'d, 'd>, pou: &mut Pou) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// `BOOL` of `<type><BOOL/></type>`, the name of a derived one.
+/// `%IX0.0`, which IEC 61131-10 writes in its parts.
+fn address(variable: Node<'_, '_>) -> Option<String> {
+    let part = |name: &str| child_any(variable, "Address").and_then(|node| node.attribute(name)).unwrap_or_default();
+    let parts = [part("location"), part("size"), part("address")].concat();
+    let whole = variable.attribute("address").filter(|text| !text.is_empty()).map(str::to_owned);
+    whole.or_else(|| (!parts.is_empty()).then(|| format!("%{parts}")))
+}
+
+/// `BOOL` of `<type><BOOL/></type>` and of `<Type><TypeName>BOOL</TypeName></Type>`, the name of a derived one.
 fn type_of(node: Node<'_, '_>) -> String {
     let Some(inner) = node.first_element_child() else { return String::new() };
     match inner.tag_name().name() {
         "derived" => inner.attribute("name").unwrap_or_default().to_owned(),
+        "TypeName" => words(inner),
+        "InstantlyDefinedType" => language(inner),
         name => name.to_owned(),
     }
 }
 
+/// `ST`, `FBD`, …
+fn language(content: Node<'_, '_>) -> String {
+    content.attribute((INSTANCE, "type")).map_or(content.tag_name().name(), after_colon).to_owned()
+}
+
+/// What a body or a predicate holds, in whatever language.
+fn content_of<'d>(node: Node<'d, 'd>) -> Option<Node<'d, 'd>> {
+    let inner = child(node, "BodyContent").or_else(|| child(node, "PredicateContent"));
+    inner.or_else(|| node.first_element_child())
+}
+
 /// Structured text, or what else stands there, in one line for each element.
-pub(super) fn body_of(node: Node<'_, '_>) -> Piece {
-    let Some(content) = node.first_element_child() else { return Piece { at: head(node), ..Piece::default() } };
-    let name = content.tag_name().name();
+pub(super) fn body_of<'d>(node: Node<'d, 'd>) -> Piece {
+    let Some(content) = content_of(node) else { return Piece { at: head(node), ..Piece::default() } };
+    let name = language(content);
     if name == "ST" || name == "IL" {
-        let language = (name == "IL").then(|| name.to_owned());
+        let language = (name == "IL").then_some(name);
         return Piece { text: words(content), at: head(content), language };
     }
-    let lines = content.children().filter(Node::is_element).map(line_of);
-    Piece { text: lines.collect::<Vec<_>>().join("\n"), at: head(content), language: Some(name.to_owned()) }
+    let lines = objects_of(content).map(line_of);
+    Piece { text: lines.collect::<Vec<_>>().join("\n"), at: head(content), language: Some(name) }
+}
+
+/// What is drawn in a network, or in all of them.
+fn objects_of<'d>(content: Node<'d, 'd>) -> impl Iterator<Item = Node<'d, 'd>> {
+    let networks = content.children().filter(|node| is(node, "Network") || is(node, "Rung"));
+    networks.chain([content]).flat_map(|network| network.children()).filter(Node::is_element)
 }
 
 /// The body of a transition that has a name; in a network what is written to that name.
 fn named_condition<'d>(body: Node<'d, 'd>, name: &str) -> Piece {
-    let by_id = |id: &str| body.descendants().find(|node| node.attribute("localId") == Some(id));
+    let objects = || content_of(body).into_iter().flat_map(objects_of);
+    let by_number = by_number(objects());
+    let by_id = |id: &str| by_number.get(id).copied();
     let is_end = |node: &Node<'_, '_>| {
         let written =
             ["variable", "expression"].iter().find_map(|child| child_any(*node, child)).map(|child| words(child));
-        (is(node, "coil") || is(node, "outVariable")) && written.is_some_and(|written| same(&written, name))
+        let written = written.as_deref().or_else(|| node.attribute("operand")).or_else(|| node.attribute("identifier"));
+        ["coil", "outVariable", "dataSink"].contains(&&*kind(*node))
+            && written.is_some_and(|written| same(written, name))
     };
-    let end = body.descendants().find(is_end);
+    let end = objects().find(is_end);
     match end.and_then(|end| drawn::condition(end, &by_id)) {
         Some(text) => Piece { text, at: head(body), language: None },
         None => {
@@ -180,11 +271,13 @@ fn named_condition<'d>(body: Node<'d, 'd>, name: &str) -> Piece {
 
 /// `contact 14: ORANGE_LIGHT, from 13`
 pub(super) fn line_of(node: Node<'_, '_>) -> String {
-    let mut line = node.tag_name().name().to_owned();
-    for name in ["localId", "typeName", "instanceName"] {
+    let mut line = kind(node);
+    for name in
+        ["localId", "typeName", "instanceName", "operand", "identifier", "operand1", "compareOperator", "operand2"]
+    {
         line.extend(node.attribute(name).map(|value| format!(" {value}")));
     }
-    let flags = ["negated", "storage", "edge"].map(|name| (name, node.attribute(name).unwrap_or("none")));
+    let flags = ["negated", "storage", "latch", "edge"].map(|name| (name, node.attribute(name).unwrap_or("none")));
     for (name, value) in flags.into_iter().filter(|(_, value)| !["none", "false"].contains(value)) {
         line.extend([" ", name, "=", value]);
     }
@@ -203,7 +296,7 @@ pub(super) fn line_of(node: Node<'_, '_>) -> String {
         .filter_map(|node| {
             Some(format!(
                 "{}{}",
-                node.attribute("refLocalId")?,
+                reference(node)?,
                 node.attribute("formalParameter").map(|name| format!(".{name}")).unwrap_or_default()
             ))
         })

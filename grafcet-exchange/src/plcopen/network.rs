@@ -1,32 +1,132 @@
-//! Steps, transitions, and what lies between them, each with its number, its place and its connections.
+//! Steps, transitions, and what lies between them, each with its place and its lines; how that is written is the edition's.
 //!
-//! A step is entered directly by what stands above it; whoever comes from below or from the side jumps.
+//! A step is entered directly by what stands above it; whoever comes from below or from the side jumps, or has a line at the right of the chart, where the
+//! edition knows no jumps.
 
 use std::collections::BTreeMap;
 
 use super::place::{Places, Rect, width};
-use super::xml::Element;
-use super::{documentation, st};
-use crate::sfc::{Chart, Step};
+use crate::sfc::{Chart, Step, Transition};
 
 /// How far a line lies from what it belongs to.
 const GAP: i32 = 16;
 /// A line of an action block.
-const ROW: i32 = 20;
+pub(super) const ROW: i32 = 20;
 
-/// A point where a connection begins.
-#[derive(Clone, Copy, Debug)]
-struct Out {
-    id: usize,
-    at: (i32, i32),
+/// How a step is entered from below or from the side.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Back {
+    Jumps,
+    Lines,
 }
 
-pub(super) fn network(chart: &Chart, places: &Places) -> Vec<Element> {
+/// What is drawn.
+#[derive(Clone, Debug)]
+pub(super) struct Object<'c> {
+    pub(super) kind: Kind<'c>,
+    /// By which lines and people know it.
+    pub(super) id: usize,
+    pub(super) place: Rect,
+    pub(super) ins: Vec<In>,
+    /// From its upper left corner.
+    pub(super) outs: Vec<Pin>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Kind<'c> {
+    /// With the pin of its actions.
+    Step(&'c Step, Option<Pin>),
+    Transition(&'c Transition),
+    /// By pin.
+    SelectionDivergence(Vec<Option<usize>>),
+    SelectionConvergence,
+    SimultaneousDivergence,
+    SimultaneousConvergence,
+    /// To a step of this name.
+    Jump(&'c str),
+    /// With a number for each.
+    Actions(&'c Step, Vec<usize>),
+}
+
+/// Where lines leave something.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pin {
+    /// No other one of the drawing has it.
+    pub(super) number: usize,
+    pub(super) at: (i32, i32),
+}
+
+/// Where lines lead into something.
+#[derive(Clone, Debug)]
+pub(super) struct In {
+    /// From the upper left corner of what it belongs to.
+    pub(super) at: (i32, i32),
+    pub(super) lines: Vec<Line>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    pub(super) from: Out,
+    /// From its end to its beginning, on the paper.
+    pub(super) way: Vec<(i32, i32)>,
+}
+
+/// A point where a line begins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Out {
+    pub(super) id: usize,
+    pub(super) pin: usize,
+    /// On the paper.
+    pub(super) at: (i32, i32),
+}
+
+/// What comes to a step, on a lane of its own where it comes from below.
+#[derive(Clone, Copy, Debug)]
+struct Arrival {
+    out: Out,
+    lane: Option<Lane>,
+}
+
+/// A way at the right of everything. Where others of the same row turn, it does not, so that each can be followed.
+#[derive(Clone, Copy, Debug)]
+struct Lane {
+    x: i32,
+    /// Where it leaves to the right.
+    below: i32,
+    /// Where it comes back to a step that it enters alone.
+    above: i32,
+}
+
+/// How far lines of one row are apart, and so many of them have room between a transition and the next step; of those above a step there are fewer.
+const APART: i32 = 4;
+const BELOW: i32 = 5;
+const ABOVE: i32 = 3;
+
+impl Arrival {
+    fn direct(out: Out) -> Self {
+        Self { out, lane: None }
+    }
+
+    /// Where it arrives from left to right.
+    fn x(&self) -> i32 {
+        self.lane.map_or(self.out.at.0, |lane| lane.x)
+    }
+}
+
+pub(super) fn network<'c>(chart: &'c Chart, places: &'c Places, back: Back) -> Vec<Object<'c>> {
+    let right = (0..chart.steps.len()).map(|step| {
+        let (place, beside) = (places.steps[step], beside(&chart.steps[step], places.steps[step]));
+        place.right().max(beside.right())
+    });
     let mut network = Network {
         chart,
         places,
-        elements: Vec::new(),
+        back,
+        objects: Vec::new(),
         next: 1 + chart.steps.len() + chart.transitions.len(),
+        pins: 1 + 2 * chart.steps.len() + chart.transitions.len(),
+        lane: right.max().unwrap_or_default() + GAP,
+        rows: BTreeMap::new(),
         into: BTreeMap::new(),
     };
     network.leave();
@@ -34,30 +134,50 @@ pub(super) fn network(chart: &Chart, places: &Places) -> Vec<Element> {
     for index in 0..chart.steps.len() {
         network.step(index);
     }
-    network.elements
+    network.objects
 }
 
 struct Network<'c> {
     chart: &'c Chart,
     places: &'c Places,
-    elements: Vec<Element>,
+    back: Back,
+    objects: Vec<Object<'c>>,
     next: usize,
-    /// By step, what enters it directly.
-    into: BTreeMap<usize, Vec<Out>>,
+    pins: usize,
+    /// The next one that is free, at the right of everything.
+    lane: i32,
+    /// By height, how many lanes turn there.
+    rows: BTreeMap<i32, i32>,
+    /// By step, what enters it.
+    into: BTreeMap<usize, Vec<Arrival>>,
 }
 
-impl Network<'_> {
+impl<'c> Network<'c> {
     fn id(&mut self) -> usize {
         self.next += 1;
         self.next - 1
+    }
+
+    fn pin(&mut self, at: (i32, i32)) -> Pin {
+        self.pins += 1;
+        Pin { number: self.pins - 1, at }
     }
 
     fn step_id(step: usize) -> usize {
         1 + step
     }
 
+    /// Of the line that leads on; that of its actions is behind it.
+    fn step_pin(step: usize) -> usize {
+        1 + 2 * step
+    }
+
     fn transition_id(&self, transition: usize) -> usize {
         1 + self.chart.steps.len() + transition
+    }
+
+    fn transition_pin(&self, transition: usize) -> usize {
+        1 + 2 * self.chart.steps.len() + transition
     }
 
     /// From steps to their transitions: by way of a convergence where there are several steps, of a divergence where there are several transitions.
@@ -74,7 +194,8 @@ impl Network<'_> {
             let out = self.joined(from, top - if branches.len() > 1 { 3 * GAP } else { 2 * GAP });
             if branches.len() > 1 {
                 let to: Vec<i32> = branches.iter().map(|branch| self.places.transitions[*branch].middle()).collect();
-                let outs = self.divergence("selectionDivergence", 1, out, &to, top - 2 * GAP);
+                let priorities = branches.iter().map(|branch| self.chart.transitions[*branch].priority).collect();
+                let outs = self.divergence(Kind::SelectionDivergence(priorities), 1, out, &to, top - 2 * GAP);
                 for (branch, out) in branches.iter().zip(outs) {
                     self.transition(*branch, out);
                 }
@@ -89,56 +210,48 @@ impl Network<'_> {
 
     /// What comes out of one step, or out of several together.
     fn joined(&mut self, steps: &[usize], y: i32) -> Out {
-        let outs: Vec<Out> = steps.iter().map(|step| self.below(*step)).collect();
+        let outs: Vec<Arrival> = steps.iter().map(|step| Arrival::direct(self.below(*step))).collect();
         match outs[..] {
-            [one] => one,
-            _ => self.convergence("simultaneousConvergence", 3, &outs, y),
+            [one] => one.out,
+            _ => self.convergence(Kind::SimultaneousConvergence, 3, &outs, y, None),
         }
     }
 
     fn below(&self, step: usize) -> Out {
         let place = &self.places.steps[step];
-        Out { id: Self::step_id(step), at: (place.middle(), place.bottom()) }
+        Out { id: Self::step_id(step), pin: Self::step_pin(step), at: (place.middle(), place.bottom()) }
     }
 
-    /// A line with several connections into it; what comes out of its middle.
-    fn convergence(&mut self, name: &str, height: i32, outs: &[Out], y: i32) -> Out {
+    /// A line with several connections into it; what comes out of it at this place from left to right, or out of its middle.
+    fn convergence(&mut self, kind: Kind<'c>, height: i32, from: &[Arrival], y: i32, out: Option<i32>) -> Out {
         let id = self.id();
-        let (left, right) = span(outs.iter().map(|out| out.at.0));
-        let ins = outs.iter().map(|out| connection_in((out.at.0, y), (left, y), &[*out]));
-        let middle = (left + right) / 2;
-        let element = element(name, id, Rect { x: left, y, width: right - left, height })
-            .children(ins)
-            .child(point("connectionPointOut", (middle - left, height)));
-        self.elements.push(element);
-        Out { id, at: (middle, y + height) }
+        let (left, right) = span(from.iter().map(Arrival::x).chain(out));
+        let ins = from.iter().map(|one| into((one.x(), y), (left, y), &[*one])).collect();
+        let middle = out.unwrap_or((left + right) / 2);
+        let pin = self.pin((middle - left, height));
+        let place = Rect { x: left, y, width: right - left, height };
+        self.objects.push(Object { kind, id, place, ins, outs: vec![pin] });
+        Out { id, pin: pin.number, at: (middle, y + height) }
     }
 
     /// A line with several connections out of it, above or below these places.
-    fn divergence(&mut self, name: &str, height: i32, from: Out, to: &[i32], y: i32) -> Vec<Out> {
+    fn divergence(&mut self, kind: Kind<'c>, height: i32, from: Out, to: &[i32], y: i32) -> Vec<Out> {
         let id = self.id();
         let (left, right) = span(to.iter().copied().chain([from.at.0]));
-        let outs = to.iter().map(|x| point("connectionPointOut", (x - left, height)).with("formalParameter", ""));
-        let element = element(name, id, Rect { x: left, y, width: right - left, height })
-            .child(connection_in((from.at.0, y), (left, y), &[from]))
-            .children(outs);
-        self.elements.push(element);
-        to.iter().map(|x| Out { id, at: (*x, y + height) }).collect()
+        let outs: Vec<Pin> = to.iter().map(|x| self.pin((x - left, height))).collect();
+        let ins = vec![into((from.at.0, y), (left, y), &[Arrival::direct(from)])];
+        let all = to.iter().zip(&outs).map(|(x, pin)| Out { id, pin: pin.number, at: (*x, y + height) }).collect();
+        let place = Rect { x: left, y, width: right - left, height };
+        self.objects.push(Object { kind, id, place, ins, outs });
+        all
     }
 
     fn transition(&mut self, number: usize, from: Out) {
-        let transition = &self.chart.transitions[number];
         let place = self.places.transitions[number];
-        let inline = Element::new("inline").with("name", "").child(st(&transition.condition));
-        let mut element = element("transition", self.transition_id(number), place);
-        if let Some(priority) = transition.priority {
-            element = element.with("priority", priority);
-        }
-        let element = element
-            .child(connection_in((place.middle(), place.y), (place.x, place.y), &[from]))
-            .child(point("connectionPointOut", (place.width / 2, place.height)))
-            .child(Element::new("condition").child(inline));
-        self.elements.push(element);
+        let ins = vec![into((place.middle(), place.y), (place.x, place.y), &[Arrival::direct(from)])];
+        let outs = vec![Pin { number: self.transition_pin(number), at: (place.width / 2, place.height) }];
+        let kind = Kind::Transition(&self.chart.transitions[number]);
+        self.objects.push(Object { kind, id: self.transition_id(number), place, ins, outs });
     }
 
     /// From transitions to steps.
@@ -146,7 +259,8 @@ impl Network<'_> {
         for number in 0..self.chart.transitions.len() {
             let to = &self.chart.transitions[number].to;
             let place = self.places.transitions[number];
-            let out = Out { id: self.transition_id(number), at: (place.middle(), place.bottom()) };
+            let (id, pin) = (self.transition_id(number), self.transition_pin(number));
+            let out = Out { id, pin, at: (place.middle(), place.bottom()) };
             let direct: Vec<bool> = to.iter().map(|step| self.is_direct(number, *step)).collect();
             let outs = if let [_] = to[..] {
                 vec![out]
@@ -161,13 +275,18 @@ impl Network<'_> {
                         x
                     })
                     .collect();
-                self.divergence("simultaneousDivergence", 3, out, &xs, place.bottom() + GAP)
+                self.divergence(Kind::SimultaneousDivergence, 3, out, &xs, place.bottom() + GAP)
             };
             for ((step, out), direct) in to.iter().zip(outs).zip(direct) {
                 if direct {
-                    self.into.entry(*step).or_default().push(out);
-                } else {
+                    self.into.entry(*step).or_default().push(Arrival::direct(out));
+                } else if self.back == Back::Jumps {
                     self.jump(*step, out);
+                } else {
+                    let below = out.at.1 + GAP / 2 + APART * (self.turns(out.at.1) % BELOW);
+                    let lane = Some(Lane { x: self.lane, below, above: 0 });
+                    self.lane += GAP;
+                    self.into.entry(*step).or_default().push(Arrival { out, lane });
                 }
             }
         }
@@ -184,69 +303,67 @@ impl Network<'_> {
         !self.chart.steps[step].initial && (all.first() == Some(&number) || alone && all.contains(&number))
     }
 
+    /// How many lanes have turned at this height before.
+    fn turns(&mut self, y: i32) -> i32 {
+        let row = self.rows.entry(y).or_default();
+        *row += 1;
+        *row - 1
+    }
+
     fn jump(&mut self, step: usize, from: Out) {
         let id = self.id();
         let name = &self.chart.steps[step].name;
         let width = width(name);
         let place = Rect { x: from.at.0 - width / 2, y: from.at.1 + GAP, width, height: ROW };
-        let element = element("jumpStep", id, place).with("targetName", name).child(connection_in(
-            (place.middle(), place.y),
-            (place.x, place.y),
-            &[from],
-        ));
-        self.elements.push(element);
+        let ins = vec![into((place.middle(), place.y), (place.x, place.y), &[Arrival::direct(from)])];
+        self.objects.push(Object { kind: Kind::Jump(name), id, place, ins, outs: Vec::new() });
     }
 
     fn step(&mut self, index: usize) {
         let step = &self.chart.steps[index];
         let place = self.places.steps[index];
-        let into = self.into.remove(&index).unwrap_or_default();
-        let into =
-            if into.len() > 1 { vec![self.convergence("selectionConvergence", 1, &into, place.y - GAP)] } else { into };
-        let mut element = element("step", Self::step_id(index), place).with("name", &step.name);
-        if step.initial {
-            element = element.with("initialStep", true);
+        let mut from = self.into.remove(&index).unwrap_or_default();
+        let has_lane = from.iter().any(|one| one.lane.is_some());
+        let higher = if has_lane { APART * (self.turns(place.y) % ABOVE) } else { 0 };
+        for lane in from.iter_mut().filter_map(|one| one.lane.as_mut()) {
+            lane.above = place.y - APART - higher;
         }
-        if !into.is_empty() {
-            element = element.child(connection_in((place.middle(), place.y), (place.x, place.y), &into));
+        if from.len() > 1 {
+            // A line from below makes it wide, and is none of its middle.
+            let out = has_lane.then(|| place.middle());
+            let out = self.convergence(Kind::SelectionConvergence, 1, &from, place.y - GAP - higher, out);
+            from = vec![Arrival::direct(out)];
         }
-        element =
-            element.child(point("connectionPointOut", (place.width / 2, place.height)).with("formalParameter", ""));
-        if !step.blocks.is_empty() {
-            let point = point("connectionPointOutAction", (place.width, ROW / 2)).with("formalParameter", "");
-            element = element.child(point);
+        let mut ins = Vec::new();
+        if !from.is_empty() {
+            ins.push(into((place.middle(), place.y), (place.x, place.y), &from));
         }
-        if !step.note.is_empty() {
-            element = element.child(documentation(&step.note));
-        }
-        self.elements.push(element);
-        if !step.blocks.is_empty() {
-            self.actions(step, index, place);
+        let outs = vec![Pin { number: Self::step_pin(index), at: (place.width / 2, place.height) }];
+        let action = Pin { number: Self::step_pin(index) + 1, at: (place.width, ROW / 2) };
+        let action = (!step.blocks.is_empty()).then_some(action);
+        self.objects.push(Object { kind: Kind::Step(step, action), id: Self::step_id(index), place, ins, outs });
+        if let Some(pin) = action {
+            self.actions(step, index, pin);
         }
     }
 
     /// The action block at the right of a step.
-    fn actions(&mut self, step: &Step, index: usize, beside: Rect) {
-        let out = Out { id: Self::step_id(index), at: (beside.x + beside.width, beside.y + ROW / 2) };
+    fn actions(&mut self, step: &'c Step, index: usize, pin: Pin) {
+        let corner = self.places.steps[index];
+        let out = Out { id: Self::step_id(index), pin: pin.number, at: (corner.x + pin.at.0, corner.y + pin.at.1) };
         let id = self.id();
-        let names = step.blocks.iter().map(|block| width(&block.action) + block.time.as_deref().map_or(0, width));
-        let height = i32::try_from(step.blocks.len()).unwrap_or(1) * ROW;
-        let place = Rect { x: out.at.0 + 2 * GAP, y: beside.y, width: 40 + names.max().unwrap_or(0), height };
-        let mut block =
-            element("actionBlock", id, place).child(connection_in((place.x, out.at.1), (place.x, place.y), &[out]));
-        for (number, one) in (0..).zip(&step.blocks) {
-            let mut action = Element::new("action").with("localId", self.id()).with("qualifier", one.qualifier);
-            if let Some(time) = &one.time {
-                action = action.with("duration", time);
-            }
-            block = block.child(
-                action
-                    .child(Element::new("relPosition").with("x", 0).with("y", number * ROW))
-                    .child(Element::new("reference").with("name", &one.action)),
-            );
-        }
-        self.elements.push(block);
+        let place = beside(step, corner);
+        let ins = vec![into((place.x, out.at.1), (place.x, place.y), &[Arrival::direct(out)])];
+        let ids = step.blocks.iter().map(|_| self.id()).collect();
+        self.objects.push(Object { kind: Kind::Actions(step, ids), id, place, ins, outs: Vec::new() });
     }
+}
+
+/// Where the action block of a step stands.
+fn beside(step: &Step, place: Rect) -> Rect {
+    let names = step.blocks.iter().map(|block| width(&block.action) + block.time.as_deref().map_or(0, width));
+    let height = i32::try_from(step.blocks.len()).unwrap_or(1) * ROW;
+    Rect { x: place.x + place.width + 2 * GAP, y: place.y, width: 40 + names.max().unwrap_or(0), height }
 }
 
 /// From the leftmost to the rightmost; a line has a length.
@@ -255,33 +372,22 @@ fn span(all: impl Iterator<Item = i32> + Clone) -> (i32, i32) {
     (left, all.max().unwrap_or_default().max(left + 1))
 }
 
-fn element(name: &str, id: usize, place: Rect) -> Element {
-    Element::new(name)
-        .with("localId", id)
-        .with("width", place.width)
-        .with("height", place.height)
-        .child(position("position", (place.x, place.y)))
-}
-
-fn position(name: &str, (x, y): (i32, i32)) -> Element {
-    Element::new(name).with("x", x).with("y", y)
-}
-
-/// A pin, from the upper left corner of what it belongs to.
-fn point(name: &str, at: (i32, i32)) -> Element {
-    Element::new(name).child(position("relPosition", at))
-}
-
-/// A pin with the line that comes into it, written from this end.
-fn connection_in(at: (i32, i32), corner: (i32, i32), from: &[Out]) -> Element {
-    let connections = from.iter().map(|out| {
-        let turn = (at.1 + out.at.1) / 2;
-        let mut way = vec![at, (at.0, turn), (out.at.0, turn), out.at];
-        if at.0 == out.at.0 || at.1 == out.at.1 {
-            way = vec![at, out.at];
-        }
-        let connection = Element::new("connection").with("refLocalId", out.id);
-        connection.children(way.into_iter().map(|at| position("position", at)))
+/// A pin with the lines that come into it, written from this end.
+fn into(at: (i32, i32), corner: (i32, i32), from: &[Arrival]) -> In {
+    let lines = from.iter().map(|one| {
+        let start = one.out.at;
+        let turn = (at.1 + start.1) / 2;
+        let way = match one.lane {
+            // Into a convergence that is as wide; or above the step to its middle.
+            Some(Lane { x, below, above }) => {
+                let mut way = if at.0 == x { vec![at] } else { vec![at, (at.0, above), (x, above)] };
+                way.extend([(x, below), (start.0, below), start]);
+                way
+            }
+            None if at.0 == start.0 || at.1 == start.1 => vec![at, start],
+            None => vec![at, (at.0, turn), (start.0, turn), start],
+        };
+        Line { from: one.out, way }
     });
-    point("connectionPointIn", (at.0 - corner.0, at.1 - corner.1)).children(connections)
+    In { at: (at.0 - corner.0, at.1 - corner.1), lines: lines.collect() }
 }

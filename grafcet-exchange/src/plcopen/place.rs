@@ -28,6 +28,10 @@ impl Rect {
         self.x + self.width / 2
     }
 
+    pub(super) fn right(&self) -> i32 {
+        self.x + self.width
+    }
+
     pub(super) fn bottom(&self) -> i32 {
         self.y + self.height
     }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use grafcet_compiler::model::{Id, Model, Name, StepId};
 use grafcet_exchange::Refused;
 use grafcet_exchange::import::{Wrong, import};
-use grafcet_exchange::plcopen::{Options, plcopen};
+use grafcet_exchange::plcopen::{Edition, Options, plcopen};
 use grafcet_exchange::sfc::{Exported, textual};
 use grafcet_sim::Chart;
 use grafcet_sim::interp::{self, Interpreter};
@@ -20,14 +20,19 @@ use crate::{CYCLES, chart, play, random, reader, resolved};
 
 type Export = fn(&Model) -> Result<Exported, Vec<Refused>>;
 
-const FORMS: [(&str, Export); 3] = [("textual", textual), ("PLCopen", drawn), ("PLCopen of Beremiz", beremiz)];
+const FORMS: [(&str, Export); 4] =
+    [("textual", textual), ("PLCopen", drawn), ("PLCopen of Beremiz", beremiz), ("IEC 61131-10", part10)];
 
 fn drawn(model: &Model) -> Result<Exported, Vec<Refused>> {
     plcopen(model, Options::default())
 }
 
 fn beremiz(model: &Model) -> Result<Exported, Vec<Refused>> {
-    plcopen(model, Options { scan_step: true })
+    plcopen(model, Options { scan_step: true, ..Options::default() })
+}
+
+fn part10(model: &Model) -> Result<Exported, Vec<Refused>> {
+    plcopen(model, Options { edition: Edition::Iec61131Part10, ..Options::default() })
 }
 
 /// A chart that has been out of the house, and the names by which it knows what it had.
@@ -256,7 +261,7 @@ fn charts_of_the_examples_and_back() {
     }
     println!("{done:#?}");
     assert!(done.values().all(|names| names.len() >= 20), "{done:?}");
-    assert!(done.len() == 3 && done["textual"] == done["PLCopen"] && done["textual"] == done["PLCopen of Beremiz"]);
+    assert!(done.len() == FORMS.len() && done.values().all(|names| *names == done["textual"]), "{done:?}");
 }
 
 #[test]

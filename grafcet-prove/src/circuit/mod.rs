@@ -47,6 +47,20 @@ const LARGEST: usize = 4_000_000;
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Refused(pub String);
 
+const TOO_LARGE: &str = "a search whose circuit is too large";
+
+impl Refused {
+    fn too_large() -> Self {
+        Self(TOO_LARGE.to_owned())
+    }
+
+    /// Everything is modelled, and takes more gates than are wanted.
+    #[must_use]
+    pub fn is_too_large(&self) -> bool {
+        self.0 == TOO_LARGE
+    }
+}
+
 impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)

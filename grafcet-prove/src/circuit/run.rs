@@ -140,7 +140,7 @@ impl<'m> Lowering<'_, 'm> {
                 break;
             }
             if self.aig.len() > self.largest {
-                return Err(Refused("a search whose circuit is too large".to_owned()));
+                return Err(Refused::too_large());
             }
         }
         self.path = path;

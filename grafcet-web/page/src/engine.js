@@ -91,9 +91,6 @@ export class Latest {
     else if (!this.#timer) this.#timer = setTimeout(() => this.#give(), Math.max(0, PATIENCE - (performance.now() - this.#since)));
   }
 
-  // Another question, behind what is being asked.
-  ask(call, ...args) { return this.#fresh().ask(call, ...args); }
-
   #fresh() {
     if (this.#engine.isBroken) this.#anew();
     return this.#engine;
@@ -124,5 +121,40 @@ export class Latest {
       this.#timer = 0;
     }
     this.#busy = false;
+  }
+}
+
+// A question that was given up, as it took too long.
+export class Late extends Error {}
+
+// One question at a time, to an engine of its own: the next one ends what is still being asked, and so does time. Nobody else waits for it.
+export class Single {
+  #engine = null;
+  #give = null;
+
+  // `Ended` where another question has come meanwhile, `Late` after so many milliseconds.
+  async ask(longest, call, ...args) {
+    this.#give?.(new Ended());
+    if (this.#engine?.isBroken) this.#stop();
+    this.#engine ??= new Engine();
+    let timer = 0;
+    const given = new Promise((_, reject) => {
+      const give = error => { this.#stop(); reject(error); };
+      this.#give = give;
+      timer = setTimeout(() => give(new Late()), longest);
+    });
+    const mine = this.#give;
+    try {
+      return await Promise.race([this.#engine.ask(call, ...args), given]);
+    } finally {
+      clearTimeout(timer);
+      if (this.#give === mine) this.#give = null;
+    }
+  }
+
+  #stop() {
+    this.#give = null;
+    this.#engine?.end();
+    this.#engine = null;
   }
 }

@@ -3,6 +3,7 @@
 import { Chronogram } from "../../../cargo-grafcet/src/watch/page/chronogram.js";
 import { Drawing } from "../../../cargo-grafcet/src/watch/page/drawing.js";
 import { rich } from "../../../cargo-grafcet/src/watch/page/rich.js";
+import { ByHand } from "./byhand.js";
 import { Editor, ruleLink } from "./editor.js";
 import { Latest } from "./engine.js";
 import { Forms } from "./forms.js";
@@ -150,6 +151,7 @@ function show() {
   at("past").textContent = simulation.isLive ? "" : "The past: what you do now goes on from here.";
   speak();
   signals.show(simulation);
+  byHand.show(simulation);
   signalled = simulation.text;
   chronogram.draw(simulation);
   list(at("waits"), moment.said);
@@ -206,16 +208,22 @@ const editor = new Editor(at("editor"), {
 });
 const drawing = new Drawing(at("drawing"), at("hint"), {
   pointed: told,
-  chosen: (kind, number) => {
+  chosen: (kind, number, alone) => {
+    // A macro-step is several steps: which of them, only the list says.
+    if (kind === "step" && byHand.isChoosing && drawn?.text === simulation?.text) return alone ? byHand.toggle(number) : undefined;
     const place = (kind === "step" ? drawn?.steps : drawn?.transitions)?.[number];
     if (place && editor.text === drawn.text) editor.go(...place);
   },
 });
-const forms = new Forms((text, form) => checker.ask("translate", text, form), (from, to) => editor.go(from, to));
+const forms = new Forms((from, to) => editor.go(from, to));
 const chronogram = new Chronogram(at("waves"), moment => simulation?.look(moment));
 const signals = new Signals(at("signals"), {
   set: (place, value) => input(() => simulation.set(place, value)),
   setParam: (place, value) => { if (simulation?.moment) void simulation.setParam(place, value); },
+});
+const byHand = new ByHand({
+  force: steps => { stop(); void simulation.force(steps); },
+  mark: steps => drawing.choose(drawn?.text === simulation?.text ? steps : new Set()),
 });
 new Gallery(text => open(text));
 theme(at("theme"));

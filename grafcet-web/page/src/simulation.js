@@ -85,6 +85,14 @@ export class Simulation {
     });
   }
 
+  // The next cycle leads into the situation of these steps.
+  force(steps) {
+    return this.#do(async () => {
+      await this.#here();
+      this.#add(await this.#engine.ask("by_hand", Uint32Array.from(steps)));
+    });
+  }
+
   init() {
     return this.#do(async () => {
       await this.#here();

@@ -44,8 +44,9 @@ export async function open(browser, address, options = {}) {
   page.on("request", request => { if (!request.url().startsWith(new URL(address).origin)) problems.push(`asks ${request.url()}`); });
   page.on("requestfailed", request => {
     const why = request.failure()?.errorText;
-    // A page that is left no longer waits for its sign, which comes last.
-    if (why !== "net::ERR_ABORTED" || !request.url().endsWith("/icon.svg")) problems.push(`${request.url()}: ${why}`);
+    // A page that is left no longer waits for its sign, which comes last; a worker that is ended while it is loaded is not waited for either.
+    const isLeft = ["/icon.svg", "/worker.js"].some(file => request.url().endsWith(file));
+    if (why !== "net::ERR_ABORTED" || !isLeft) problems.push(`${request.url()}: ${why}`);
   });
   page.problems = problems;
   await page.goto(address);

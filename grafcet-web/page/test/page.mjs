@@ -7,7 +7,9 @@ import { join, resolve } from "node:path";
 
 import { open, serve, start } from "./browser.mjs";
 import { MOTOR, ring } from "./charts.mjs";
+import { hand } from "./hand.mjs";
 import { links } from "./links.mjs";
+import { tabs } from "./tabs.mjs";
 
 const [folder, pictures] = process.argv.slice(2).map(path => resolve(path));
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -233,23 +235,8 @@ const steps = {
     await context.close();
   },
 
-  async "other notations"(page) {
-    const shows = async (tab, wanted) => {
-      await page.click(`#tab-${tab}`);
-      await page.locator("#translation pre", { hasText: wanted }).waitFor();
-    };
-    await shows("rust", "fn is_active");
-    await shows("case", "CASE StepNo OF");
-    await shows("flip-flops", "FUNCTION_BLOCK Motor");
-    await shows("sfc", "INITIAL_STEP OffStep:");
-    await shows("plcopen", "http://www.plcopen.org/xml/tc6_0201");
-    await shows("pnml", "<pnml");
-    await accessible(page, "a notation");
-    await page.focus("#tab-pnml");
-    await page.keyboard.press("ArrowRight");
-    assert.equal(await page.evaluate(() => document.activeElement.id), "tab-drawing");
-    assert.ok(await page.isVisible("#drawing"));
-  },
+  ...tabs({ write, text, accessible }),
+  ...hand({ write, ready, input, active, marked, accessible }),
 
   async "the gallery, and a rule"(page) {
     await page.click("#open-gallery");

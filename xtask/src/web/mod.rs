@@ -37,6 +37,7 @@ pub(crate) fn test() -> Result {
     let timelines = built.folder.join("timelines.json");
     write_example("timelines", &root().join("tests/conformance"), &timelines)?;
     run_command(node("test/corpus.mjs")?.arg(&built.glue).arg(&timelines))?;
+    run_command(node("test/forms.mjs")?.arg(&built.glue).arg(built.folder.join("gallery.json")).arg(TOOL.file()))?;
     run_command(node("test/manual.mjs")?.args([&built.page, &built.glue, &built.folder.join("manual.json")]))?;
     run_command(node("test/page.mjs")?.arg(&built.page).arg(built.folder.join("screenshots")))?;
     live()
