@@ -8,13 +8,14 @@ use grafcet_conformance::program::program as optimised;
 use super::read;
 use super::regions::CELL;
 
+/// One partial grafcet takes the other's steps away.
+const TWO: &str = "grafcet Two { input a, b: bool; output p: bool; partial Up { initial step A { force Down {}; } step B; A -[a]-> B -[b]-> A; } \
+         partial Down { initial step C; step D { p; } C -[a]-> D -[b]-> C; } }";
+
 /// An arm of no step is none of a step: what two arms do is not done for the step that has none.
 #[test]
 fn what_only_some_states_do_is_not_hoisted() {
-    let model = read(
-        "grafcet Two { input a, b: bool; output p: bool; partial Up { initial step A { force Down {}; } step B; A -[a]-> B -[b]-> A; } \
-         partial Down { initial step C; step D { p; } C -[a]-> D -[b]-> C; } }",
-    );
+    let model = read(TWO);
     let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
     let state = program.place(Role::State(1)).expect("a region");
     let p = program.place(Role::Output(OutputId::new(0))).expect("an output");
@@ -30,6 +31,26 @@ fn what_only_some_states_do_is_not_hoisted() {
         optimise(&mut program, &[Pass::Hoist]);
         let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
         assert_eq!(matches!(body[0], Statement::Set(..)), hoisted, "{program}");
+    }
+}
+
+/// A match that leads to one state from each other one is no question: not where a state is left that it does not name, be it none, nor where one leads elsewhere.
+#[test]
+fn what_leads_to_one_state_from_all_others_is_no_question() {
+    let model = read(TWO);
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let state = program.place(Role::State(1)).expect("a region");
+    let [one, other] = program.regions[1][..] else { panic!("two steps") };
+    let arm = |from, to| (vec![Value::Step(from)], vec![Statement::Set(state, Expr::Value(Value::Step(to)))]);
+    let (from_one, from_none) = (|| arm(Some(one), Some(other)), || arm(None, Some(other)));
+    for (arms, asked) in [
+        (vec![from_one(), from_none()], false),
+        (vec![from_one()], true),
+        (vec![from_one(), arm(None, Some(one))], true),
+    ] {
+        program.cycle = vec![Statement::Match(state, arms, Vec::new())];
+        optimise(&mut program, &[Pass::Hoist]);
+        assert_eq!(matches!(program.cycle[..], [Statement::Match(..)]), asked, "{program}");
     }
 }
 
