@@ -91,8 +91,11 @@ fn named(text: &str, letter: char) -> String {
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut before = '_';
-    for letter in name.chars() {
-        let begins = letter.is_ascii_uppercase() && before.is_ascii_lowercase();
+    let mut letters = name.chars().peekable();
+    while let Some(letter) = letters.next() {
+        // `SFCInit`, `Pusher1MovedOut`
+        let ends = before.is_ascii_uppercase() && letters.peek().is_some_and(char::is_ascii_lowercase);
+        let begins = letter.is_ascii_uppercase() && (before.is_ascii_lowercase() || before.is_ascii_digit() || ends);
         if begins || !letter.is_ascii_alphanumeric() {
             words.push(String::new());
         }
@@ -112,8 +115,8 @@ mod tests {
     #[test]
     fn words_of_names() {
         assert_eq!(
-            ["on", "SWITCH_BUTTON", "SwitchButton", "xStart", "q1", "_a__b", "größe"].map(snake),
-            ["on", "switch_button", "switch_button", "x_start", "q1", "a_b", "gr_e"]
+            ["on", "SWITCH_BUTTON", "SwitchButton", "xStart", "q1", "_a__b", "größe", "SFCInit", "Pusher1MovedOut"].map(snake),
+            ["on", "switch_button", "switch_button", "x_start", "q1", "a_b", "gr_e", "sfc_init", "pusher1_moved_out"]
         );
         assert_eq!(
             ["Off", "ORANGE", "step_1", "S1", "OnStep", "fillAndHeat", "A", "1st"].map(camel),
