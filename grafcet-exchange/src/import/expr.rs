@@ -47,10 +47,20 @@ pub(super) enum Instance {
     Falling(Expr),
     /// `TON`, by its time.
     Delayed(Expr, Expr),
-    /// `TON` that is called in some steps alone: by the steps of each call.
-    Timed(Vec<(Vec<String>, Expr, Expr)>),
+    /// `TON` that is called in some steps alone.
+    Timed(Vec<Timed>),
     /// `TOF`, by its time.
     Kept(Expr, Expr),
+}
+
+/// A call of a timer, with its input and its time.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Timed {
+    pub(super) steps: Vec<String>,
+    pub(super) of: Expr,
+    pub(super) limit: Expr,
+    /// One of the steps sets it back: its time is that of each step.
+    pub(super) each: bool,
 }
 
 /// What names mean.
@@ -237,24 +247,22 @@ impl Scope<'_> {
     }
 
     /// A timer of the steps that are active here.
-    fn timed(&mut self, name: &str, calls: &[(Vec<String>, Expr, Expr)]) -> Result<Rust, String> {
-        let here = |steps: &[String]| steps.iter().any(|step| self.active.iter().any(|active| same(active, step)));
-        let found: Vec<_> = calls.iter().filter(|(steps, ..)| here(steps)).collect();
-        let [(steps, of, limit)] = found[..] else {
+    fn timed(&mut self, name: &str, calls: &[Timed]) -> Result<Rust, String> {
+        let is_here = |step: &String| self.active.iter().any(|active| same(active, step));
+        let found: Vec<&Timed> = calls.iter().filter(|call| call.steps.iter().any(is_here)).collect();
+        let [call] = found[..] else {
             return Err(format!("`{name}` is called in several steps, and none or several of them are meant here"));
         };
-        let limit = self.rust(limit, Some(Kind::Time))?;
-        let steps: Vec<&str> = steps.iter().filter_map(|step| self.names.get(step)).collect();
-        if let ([step], Expr::Bool(true)) = (&steps[..], of) {
-            return Ok(Rust(format!("{limit}/{step}"), strength::PRODUCT));
-        }
-        let active: Vec<String> = steps.iter().map(|step| format!("{step}.X")).collect();
-        let active = if active.len() == 1 { active.concat() } else { format!("({})", active.join(" || ")) };
-        let of = match of {
+        let steps = call.steps.iter().filter(|step| !call.each || is_here(step));
+        let steps: Vec<&str> = steps.filter_map(|step| self.names.get(step)).collect();
+        let active = steps.iter().map(|step| format!("{step}.X")).collect::<Vec<_>>().join(" || ");
+        let active = if let [step] = steps[..] { format!("{step}.X") } else { format!("({active})") };
+        let of = match &call.of {
+            Expr::Bool(true) if steps.len() == 1 => steps[0].to_owned(),
             Expr::Bool(true) => active,
             of => format!("({active} && {})", self.expr(of, Some(Kind::Bool))?.within(strength::AND)),
         };
-        Ok(Rust(format!("{limit}/{of}"), strength::PRODUCT))
+        Ok(Rust(format!("{}/{of}", self.rust(&call.limit, Some(Kind::Time))?), strength::PRODUCT))
     }
 
     /// The enum that has a value of this name: the one that is wanted, else the only one.
@@ -324,7 +332,8 @@ impl Scope<'_> {
             Expr::Int(_) | Expr::Real(_) => None,
             Expr::Time(_) => Some(Kind::Time),
             Expr::Name(name) => {
-                let known = self.kinds.get(&name.to_lowercase()).copied();
+                let key = name.to_lowercase();
+                let known = self.kinds.get(&key).or_else(|| self.counters.get(&key)).copied();
                 known.or_else(|| self.listed(name, None).map(Kind::Enum))
             }
             Expr::Member(of, member) => {
