@@ -63,6 +63,6 @@ grafcet! {
         }
 
         Init -[start && mode == EMode::Auto]-> CraneLower -[crane_down]-> Suck
-            -[500ms/(Suck.X && sucked)]-> CraneLift -[crane_up]-> Init;
+            -[500ms/Suck && 500ms/sucked]-> CraneLift -[crane_up]-> Init;
     }
 }

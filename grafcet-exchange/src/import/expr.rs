@@ -254,15 +254,16 @@ impl Scope<'_> {
             return Err(format!("`{name}` is called in several steps, and none or several of them are meant here"));
         };
         let steps = call.steps.iter().filter(|step| !call.each || is_here(step));
-        let steps: Vec<&str> = steps.filter_map(|step| self.names.get(step)).collect();
+        let steps: Vec<String> = steps.filter_map(|step| self.names.get(step)).map(str::to_owned).collect();
         let active = steps.iter().map(|step| format!("{step}.X")).collect::<Vec<_>>().join(" || ");
-        let active = if let [step] = steps[..] { format!("{step}.X") } else { format!("({active})") };
-        let of = match &call.of {
-            Expr::Bool(true) if steps.len() == 1 => steps[0].to_owned(),
-            Expr::Bool(true) => active,
-            of => format!("({active} && {})", self.expr(of, Some(Kind::Bool))?.within(strength::AND)),
-        };
-        Ok(Rust(format!("{}/{of}", self.rust(&call.limit, Some(Kind::Time))?), strength::PRODUCT))
+        let limit = self.rust(&call.limit, Some(Kind::Time))?;
+        let step = if let [step] = &steps[..] { format!("{limit}/{step}") } else { format!("{limit}/({active})") };
+        if call.of == Expr::Bool(true) {
+            return Ok(Rust(step, strength::PRODUCT));
+        }
+        // Both have been so for that long where each has.
+        let of = self.expr(&call.of, Some(Kind::Bool))?.within(strength::UNARY);
+        Ok(Rust(format!("{step} && {limit}/{of}"), strength::AND))
     }
 
     /// The enum that has a value of this name: the one that is wanted, else the only one.
