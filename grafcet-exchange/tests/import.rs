@@ -473,7 +473,10 @@ END_PROGRAM
         at(&format!("`{name}` of type {ty}"), name);
     }
     at("`Act` is a code action to be written in Rust: expected a value, found the text 'x'", "(* why *)");
-    at("`Loops` is a code action to be written in Rust: expected `:=`, or a call: other statements are not translated, found `[`", "FOR");
+    at(
+        "`Loops` is a code action to be written in Rust: expected `:=`, or a call: other statements are not translated, found `[`",
+        "FOR",
+    );
     at("`Repeats` is a code action to be written in Rust: `CONTINUE` within `REPEAT`", "REPEAT");
     at("`Parts` is a code action to be written in Rust: ", "axis.pos");
     at("`init_to_work` is a function to be written in Rust: ", "start AND");

@@ -24,7 +24,11 @@ fn what_is_made_is_what_is_kept() {
         .filter(|name| !name.ends_with(".rs"))
         .collect();
     names.sort();
-    assert_eq!(names, ["blocks.st", "crane.xml", "tank.st", "words.st"], "each one is a module of tests/imported.rs, too");
+    assert_eq!(
+        names,
+        ["blocks.st", "crane.xml", "tank.st", "words.st"],
+        "each one is a module of tests/imported.rs, too"
+    );
     for name in names {
         let done = imported(&name);
         let kept = folder().join(&name).with_extension("rs");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::expr::{Kind, Scope, strength};
+use super::expr::{Kind, Scope, fits, strength};
 use super::facts::assigned;
 use super::parser::{Arm, Expr, Label, Statement};
 use super::walk::{count, names};
@@ -44,9 +44,7 @@ impl Scope<'_> {
                 Ok(lines)
             }
             Statement::Case(of, arms, otherwise) => self.case(of, arms, otherwise, depth),
-            Statement::For(name, [from, to], by, body) => {
-                self.counted(name, [from, to], by.as_ref(), body, depth)
-            }
+            Statement::For(name, [from, to], by, body) => self.counted(name, [from, to], by.as_ref(), body, depth),
             Statement::While(condition, body) => {
                 let head = format!("{indent}while {} {{", self.rust(condition, Some(Kind::Bool))?);
                 self.around(head, body, Vec::new(), depth)
@@ -57,7 +55,8 @@ impl Scope<'_> {
                 }
                 let ends = self.rust(condition, Some(Kind::Bool))?;
                 let last = ["if ", &*ends, " {"].concat();
-                let last = [format!("{indent}    {last}"), format!("{indent}        break;"), format!("{indent}    }}")];
+                let last =
+                    [format!("{indent}    {last}"), format!("{indent}        break;"), format!("{indent}    }}")];
                 self.around(format!("{indent}loop {{"), body, last.to_vec(), depth)
             }
             Statement::Exit => Ok(vec![format!("{indent}break;")]),
@@ -96,8 +95,7 @@ impl Scope<'_> {
             Some(_) => return Err("`FOR` by what is no literal".to_owned()),
         };
         let key = name.to_lowercase();
-        let Some(kind) = self.kinds.get(&key).or(self.counters.get(&key)).copied()
-        else {
+        let Some(kind) = self.kinds.get(&key).or(self.counters.get(&key)).copied() else {
             return Err(format!("`{name}` is not declared as a value that Rust has"));
         };
         let (first, last) = (self.expr(from, Some(kind))?, self.expr(to, Some(kind))?);
@@ -110,7 +108,8 @@ impl Scope<'_> {
                 _ => String::new(),
             };
             let (first, last) = (first.within(strength::BIT_OR), last.within(strength::BIT_OR));
-            let mut range = if by > 0 { format!("{first}{suffix}..={last}") } else { format!("({last}..={first}{suffix}).rev()") };
+            let mut range =
+                if by > 0 { format!("{first}{suffix}..={last}") } else { format!("({last}..={first}{suffix}).rev()") };
             if by.abs() > 1 {
                 range = if by > 0 { format!("({range})") } else { range };
                 range.push_str(&format!(".step_by({})", by.abs()));
@@ -122,7 +121,9 @@ impl Scope<'_> {
         let mut read = Vec::new();
         names(to, &mut read);
         if continues(body) || read.iter().any(|one| written.contains(&one.to_lowercase())) {
-            return Err(format!("`FOR` over `{name}`, which is read elsewhere, with `CONTINUE` or an end that changes"));
+            return Err(format!(
+                "`FOR` over `{name}`, which is read elsewhere, with `CONTINUE` or an end that changes"
+            ));
         }
         let name = self.names.get(name).unwrap_or_default().to_owned();
         let sign = if by > 0 { "<=" } else { ">=" };
@@ -136,7 +137,9 @@ impl Scope<'_> {
     fn case(&mut self, of: &Expr, arms: &[Arm], otherwise: &[Statement], depth: usize) -> Result<Vec<String>, String> {
         let indent = "    ".repeat(depth);
         let kind = self.kind(of);
-        if !matches!(kind, Some(Kind::Enum(_))) && !kind.is_some_and(|kind| matches!(kind, Kind::Number(name) if !name.starts_with('f'))) {
+        if !matches!(kind, Some(Kind::Enum(_)))
+            && !kind.is_some_and(|kind| matches!(kind, Kind::Number(name) if !name.starts_with('f')))
+        {
             return Err("`CASE` of what is neither an integer nor an enum".to_owned());
         }
         let mut lines = vec![format!("{indent}match {} {{", self.rust(of, kind)?)];
@@ -181,17 +184,17 @@ impl Scope<'_> {
 
     fn pattern(&mut self, label: &Expr, kind: Option<Kind>) -> Result<String, String> {
         let fits = match (label, kind) {
-            (Expr::Int(value), Some(Kind::Number(ty))) => {
-                let (signed, width) = (ty.starts_with('i'), ty[1..].parse::<u32>().unwrap_or(64));
-                let (least, most) = if signed { (-(1_i128 << (width - 1)), (1_i128 << (width - 1)) - 1) } else { (0, (1_i128 << width) - 1) };
-                (least..=most).contains(value)
-            }
+            (Expr::Int(value), Some(kind @ Kind::Number(_))) => fits(*value, kind),
             (Expr::Int(_) | Expr::Name(_) | Expr::Member(..) | Expr::Typed(..), Some(Kind::Enum(_))) => {
                 self.kinds.get(&name_of(label).to_lowercase()).is_none()
             }
             _ => false,
         };
-        if fits { self.rust(label, kind) } else { Err("a label of `CASE` is neither a number nor a value of its enum".to_owned()) }
+        if fits {
+            self.rust(label, kind)
+        } else {
+            Err("a label of `CASE` is neither a number nor a value of its enum".to_owned())
+        }
     }
 }
 

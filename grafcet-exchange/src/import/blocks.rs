@@ -55,7 +55,8 @@ pub(super) fn written_out(
     let values = calls.iter().map(|arguments| values(inputs, arguments)).collect::<Option<Vec<_>>>();
     // An input that is not given keeps its value: that is told where no call gives it.
     let Some(values) = values.filter(|all| {
-        !all.is_empty() && (0..inputs.len()).all(|input| all.iter().all(|one| one[input].is_some() == all[0][input].is_some()))
+        !all.is_empty()
+            && (0..inputs.len()).all(|input| all.iter().all(|one| one[input].is_some() == all[0][input].is_some()))
     }) else {
         return false;
     };

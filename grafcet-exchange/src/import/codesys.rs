@@ -41,7 +41,10 @@ pub(super) fn step(element: Node<'_, '_>, mut step: Step, lost: &mut Vec<(Span, 
         step.within = Some(Piece { text: text.clone(), at: at.clone(), language: None });
     }
     if let Some((text, at)) = said.get(guid::LEAST) {
-        lost.push((at.clone(), format!("that the step `{}` takes {text} at least: say so in what leaves it", step.name)));
+        lost.push((
+            at.clone(),
+            format!("that the step `{}` takes {text} at least: say so in what leaves it", step.name),
+        ));
     }
     if let Some((text, at)) = said.get(guid::EXCLUDED) {
         if text.eq_ignore_ascii_case("true") {

@@ -124,13 +124,16 @@ pub(super) fn left_out(
     let known = |variable: &&Variable| {
         let is_code = scope.names.get(&variable.name).is_some_and(|name| code.contains_key(name));
         let key = variable.name.to_lowercase();
-        let known = scope.kinds.contains_key(&key) || facts.memory.contains_key(&key) || scope.counters.contains_key(&key);
+        let known =
+            scope.kinds.contains_key(&key) || facts.memory.contains_key(&key) || scope.counters.contains_key(&key);
         known || is_code || facts.instances.contains_key(&key) || facts.written_out.contains(&key)
     };
     let others = pou.variables.iter().filter(|variable| !known(variable));
     let one = |variable: &Variable| {
-        let message =
-            format!("`{}` of type {} is left out: a chart has `bool`, `time`, numbers and enums", variable.name, variable.ty);
+        let message = format!(
+            "`{}` of type {} is left out: a chart has `bool`, `time`, numbers and enums",
+            variable.name, variable.ty
+        );
         Wrong { at: variable.at.clone(), message }
     };
     others.map(one).collect()

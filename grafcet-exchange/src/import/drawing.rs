@@ -49,14 +49,18 @@ impl<'d> Chart<'d> {
         for element in &elements {
             match element.tag_name().name() {
                 "step" => {
-                    let step = codesys::step(*element, Step {
-                        name: attribute(*element, "name")?,
-                        at: head(*element),
-                        initial: element.attribute("initialStep") == Some("true"),
-                        note: note(*element),
-                        within: None,
-                        blocks: Vec::new(),
-                    }, &mut pou.lost);
+                    let step = codesys::step(
+                        *element,
+                        Step {
+                            name: attribute(*element, "name")?,
+                            at: head(*element),
+                            initial: element.attribute("initialStep") == Some("true"),
+                            note: note(*element),
+                            within: None,
+                            blocks: Vec::new(),
+                        },
+                        &mut pou.lost,
+                    );
                     pou.steps.push(step);
                 }
                 "macroStep" => {

@@ -6,6 +6,7 @@ use super::names::Names;
 use super::parser::{Expr, Op};
 use super::parts::{Part, conjunction};
 use super::source::{Pou, same};
+use super::timers::Timed;
 use super::types::Enum;
 
 /// What a value is.
@@ -51,16 +52,6 @@ pub(super) enum Instance {
     Timed(Vec<Timed>),
     /// `TOF`, by its time.
     Kept(Expr, Expr),
-}
-
-/// A call of a timer, with its input and its time.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct Timed {
-    pub(super) steps: Vec<String>,
-    pub(super) of: Expr,
-    pub(super) limit: Expr,
-    /// One of the steps sets it back: its time is that of each step.
-    pub(super) each: bool,
 }
 
 /// What names mean.
@@ -120,7 +111,7 @@ impl Rust {
 impl Scope<'_> {
     /// An expression in Rust, or what of it has no translation.
     pub(super) fn rust(&mut self, expr: &Expr, wanted: Option<Kind>) -> Result<String, String> {
-        Ok(self.expr(expr, wanted)?.0)
+        Ok(self.operand(expr, wanted)?.0)
     }
 
     pub(super) fn expr(&mut self, expr: &Expr, wanted: Option<Kind>) -> Result<Rust, String> {
@@ -131,8 +122,14 @@ impl Scope<'_> {
             Expr::Int(value) if matches!(wanted, Some(Kind::Number("f32" | "f64"))) => {
                 Ok(literal(&format!("{value}.0")))
             }
-            Expr::Int(value) => Ok(literal(&value.to_string())),
-            Expr::Real(value) => Ok(literal(value)),
+            Expr::Int(value) if wanted.is_none_or(|kind| fits(*value, kind)) => Ok(literal(&value.to_string())),
+            Expr::Real(value) if wanted.is_none_or(|kind| matches!(kind, Kind::Number("f32" | "f64"))) => {
+                Ok(literal(value))
+            }
+            Expr::Int(_) | Expr::Real(_) => {
+                let kind = wanted.map(|kind| self.type_of(kind)).unwrap_or_default();
+                Err(format!("a number that is no value of {kind}"))
+            }
             Expr::Time(nanos) => time(*nanos).map(Rust::word),
             Expr::Name(name) if self.kinds.contains_key(&name.to_lowercase()) => {
                 Ok(Rust::word(self.names.get(name).unwrap_or_default()))
@@ -246,59 +243,6 @@ impl Scope<'_> {
         }
     }
 
-    /// A timer of the steps that are active here.
-    fn timed(&mut self, name: &str, calls: &[Timed]) -> Result<Rust, String> {
-        let is_here = |step: &String| self.active.iter().any(|active| same(active, step));
-        let found: Vec<&Timed> = calls.iter().filter(|call| call.steps.iter().any(is_here)).collect();
-        let [call] = found[..] else {
-            return Err(format!("`{name}` is called in several steps, and none or several of them are meant here"));
-        };
-        let steps = call.steps.iter().filter(|step| !call.each || is_here(step));
-        let steps: Vec<String> = steps.filter_map(|step| self.names.get(step)).map(str::to_owned).collect();
-        let active = steps.iter().map(|step| format!("{step}.X")).collect::<Vec<_>>().join(" || ");
-        let limit = self.rust(&call.limit, Some(Kind::Time))?;
-        let step = if let [step] = &steps[..] { format!("{limit}/{step}") } else { format!("{limit}/({active})") };
-        if call.of == Expr::Bool(true) {
-            return Ok(Rust(step, strength::PRODUCT));
-        }
-        // Both have been so for that long where each has.
-        let of = self.expr(&call.of, Some(Kind::Bool))?.within(strength::UNARY);
-        Ok(Rust(format!("{step} && {limit}/{of}"), strength::AND))
-    }
-
-    /// The enum that has a value of this name: the one that is wanted, else the only one.
-    fn listed(&self, name: &str, wanted: Option<Kind>) -> Option<usize> {
-        let mut all = self.enums.iter().enumerate().filter(|(_, one)| one.value(name).is_some()).map(|(of, _)| of);
-        if let Some(Kind::Enum(of)) = wanted {
-            return all.find(|one| *one == of);
-        }
-        let first = all.next()?;
-        all.next().is_none().then_some(first)
-    }
-
-    fn variant(&mut self, of: usize, name: &str) -> Result<Rust, String> {
-        let value = self.enums.get(of).and_then(|one| one.value(name));
-        self.used.insert(of);
-        value.map(Rust::word).ok_or_else(|| format!("`{}` has no value `{name}`", self.enums[of].name))
-    }
-
-    /// The initial value of an enum.
-    pub(super) fn first(&mut self, of: usize) -> String {
-        self.used.insert(of);
-        let one = &self.enums[of];
-        format!("{}::{}", one.rust, one.values[one.initial].1)
-    }
-
-    /// The value of an enum that has a number.
-    fn numbered(&mut self, value: i128, wanted: Option<Kind>) -> Result<Rust, String> {
-        let Some(Kind::Enum(of)) = wanted else { return Err("no enum".to_owned()) };
-        let found = self.enums[of].values.iter().find(|(.., number)| *number == value);
-        match found.map(|(there, ..)| there.clone()) {
-            Some(name) => self.variant(of, &name),
-            None => Err(format!("`{}` has no value with the number {value}", self.enums[of].name)),
-        }
-    }
-
     /// `w.3`
     fn bit(&mut self, name: &str, bit: i128) -> Result<Rust, String> {
         let width = match self.kinds.get(&name.to_lowercase()) {
@@ -310,21 +254,6 @@ impl Scope<'_> {
         }
         let name = self.names.get(name).unwrap_or_default();
         Ok(Rust(format!("{name} & (1 << {bit}) != 0"), strength::COMPARE))
-    }
-
-    /// The type in Rust.
-    pub(super) fn type_of(&self, kind: Kind) -> String {
-        match kind {
-            Kind::Bool => "bool".to_owned(),
-            Kind::Time => "time".to_owned(),
-            Kind::Number(name) => name.to_owned(),
-            Kind::Enum(of) => self.enums[of].rust.clone(),
-        }
-    }
-
-    /// Of a type of the standard or of the file.
-    pub(super) fn kind_of(&self, ty: &str) -> Option<Kind> {
-        Kind::of(ty).or_else(|| self.enums.iter().position(|one| same(&one.name, ty)).map(Kind::Enum))
     }
 
     /// Where it can be told.
@@ -354,7 +283,8 @@ impl Scope<'_> {
             }
             Expr::Minus(inner) => self.kind(inner),
             Expr::Binary(Op::And | Op::Or | Op::Xor | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Mod, a, b) => {
-                self.kind(a).or_else(|| self.kind(b))
+                let (a, b) = (self.kind(a), self.kind(b));
+                self.common(a, b).unwrap_or(a)
             }
             Expr::Not(inner) => Some(self.kind(inner).unwrap_or(Kind::Bool)),
             Expr::Bool(_) | Expr::Bit(..) | Expr::Binary(..) => Some(Kind::Bool),
@@ -364,10 +294,12 @@ impl Scope<'_> {
     fn binary(&mut self, op: Op, a: &Expr, b: &Expr, wanted: Option<Kind>) -> Result<Rust, String> {
         let (left, right) = (self.kind(a), self.kind(b));
         let compares = matches!(op, Op::Equal | Op::Differs | Op::Less | Op::AtMost | Op::More | Op::AtLeast);
-        let both = left.or(right);
+        let both = self.common(left, right)?;
         let bits = matches!(both, Some(Kind::Number(_)));
         // `a = TRUE`
-        if let (Op::Equal | Op::Differs, of, Expr::Bool(value)) | (Op::Equal | Op::Differs, Expr::Bool(value), of) = (op, a, b) {
+        if let (Op::Equal | Op::Differs, of, Expr::Bool(value)) | (Op::Equal | Op::Differs, Expr::Bool(value), of) =
+            (op, a, b)
+        {
             if (op == Op::Equal) == *value {
                 return self.expr(of, Some(Kind::Bool));
             }
@@ -394,23 +326,25 @@ impl Scope<'_> {
             Op::Div => ("/", strength::PRODUCT),
             Op::Mod => ("%", strength::PRODUCT),
         };
-        if let (Some(one), Some(other)) = (left, right) {
-            if one != other {
-                return Err(format!(
-                    "{} and {} are two types, and Rust would need to be told how one becomes the other",
-                    self.type_of(one),
-                    self.type_of(other)
-                ));
-            }
-        }
         if !compares && both == Some(Kind::Time) {
             return Err("arithmetic of times".to_owned());
         }
         let kind = if compares { both } else { both.or(wanted) };
-        let left = self.expr(a, kind)?.within(if compares { strength + 1 } else { strength });
+        let left = self.operand(a, kind)?.within(if compares { strength + 1 } else { strength });
         let of_bool = matches!(op, Op::Or | Op::And | Op::Xor);
-        let right = self.expr(b, kind)?.within(if of_bool { strength } else { strength + 1 });
+        let right = self.operand(b, kind)?.within(if of_bool { strength } else { strength + 1 });
         Ok(Rust(format!("{left} {sign} {right}"), strength))
+    }
+}
+
+/// Whether an integer is a value of a type.
+pub(super) fn fits(value: i128, kind: Kind) -> bool {
+    let Kind::Number(name) = kind else { return false };
+    let Ok(width) = name[1..].parse::<u32>() else { return false };
+    match &name[..1] {
+        "i" => (-(1_i128 << (width - 1))..1_i128 << (width - 1)).contains(&value),
+        "u" => (0..1_i128 << width).contains(&value),
+        _ => true,
     }
 }
 

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::expr::{Instance, Kind, Timed};
 use super::blocks;
-use super::parser::{Arguments, Expr, Op, Statement, expression, statements};
+use super::expr::{Instance, Kind};
+use super::parser::{Expr, Statement, expression, statements};
 use super::source::{Block, Piece, Pou, Section, Span, Variable, What, same};
 use super::walk::{self, each};
 
@@ -80,7 +80,8 @@ impl Facts {
     /// What a program writes to its own inputs is left out: whoever calls it gives them anew.
     fn inputs(&mut self, pou: &Pou) {
         for variable in pou.variables.iter().filter(|one| one.section == Section::Input && !one.constant) {
-            let is_write = |one: &Statement| matches!(one, Statement::Assign(target, _) if same(target, &variable.name));
+            let is_write =
+                |one: &Statement| matches!(one, Statement::Assign(target, _) if same(target, &variable.name));
             let mut said = Vec::new();
             for (key, body) in &mut self.bodies {
                 let Ok(body) = body else { continue };
@@ -112,7 +113,8 @@ impl Facts {
                 each(body, &mut |one| any |= is_action(one));
                 any
             };
-            let callers: Vec<String> = before.iter().filter(|(_, body)| body.as_ref().is_ok_and(calls)).map(|(key, _)| key.clone()).collect();
+            let callers: Vec<String> =
+                before.iter().filter(|(_, body)| body.as_ref().is_ok_and(calls)).map(|(key, _)| key.clone()).collect();
             if callers.is_empty() {
                 return;
             }
@@ -130,52 +132,6 @@ impl Facts {
                 }
             }
         }
-    }
-
-    /// A timer that is called in some steps alone. A call with `FALSE` sets it back, which leaving the step does here.
-    fn timed(&mut self, pou: &Pou, variable: &Variable) -> bool {
-        let (mut calls, mut set_back) = (Vec::new(), Vec::new());
-        for (key, body) in &self.bodies {
-            let Ok(body) = body else { continue };
-            let mut found = Vec::new();
-            if !guarded(body, &variable.name, None, &mut found) {
-                return false;
-            }
-            for (guard, arguments) in found {
-                let value = |wanted: &str, place: usize| {
-                    let named = arguments.iter().find(|(name, _)| name.as_deref().is_some_and(|name| same(name, wanted)));
-                    named.or_else(|| arguments.get(place).filter(|(name, _)| name.is_none())).map(|(_, value)| value)
-                };
-                match (value("in", 0), value("pt", 1)) {
-                    (Some(Expr::Bool(false)), _) => {
-                        set_back.extend(with_body(pou, key).map(|(step, _)| step.to_owned()));
-                    }
-                    (Some(of), Some(limit)) => {
-                        let of = match guard {
-                            None => of.clone(),
-                            Some(guard) if guard == *of || *of == Expr::Bool(true) => guard,
-                            Some(guard) => Expr::Binary(Op::And, Box::new(guard), Box::new(of.clone())),
-                        };
-                        calls.push(Timed { steps: steps_of(pou, key), of, limit: limit.clone(), each: false });
-                    }
-                    _ => return false,
-                }
-            }
-        }
-        let alone = calls.iter().all(|call| !call.steps.is_empty() && call.steps.len() < pou.steps.len());
-        for call in &mut calls {
-            call.each = call.steps.iter().any(|step| set_back.contains(step));
-        }
-        if calls.is_empty() || !alone {
-            return false;
-        }
-        let message = format!("`{}` is called in some steps alone: here its time begins with them", variable.name);
-        self.differs.push((variable.at.clone(), message));
-        self.instances.insert(variable.name.to_lowercase(), Instance::Timed(calls));
-        for body in self.bodies.values_mut().flatten() {
-            left_out(body, &|one| is_call(one, &variable.name));
-        }
-        true
     }
 
     fn blocks(&mut self, pou: &Pou, conditions: &[Expr]) {
@@ -348,9 +304,15 @@ pub(super) fn assigned(body: &[Statement], written: &mut BTreeSet<String>) {
     });
 }
 
-fn left_out(body: &mut Vec<Statement>, is: &dyn Fn(&Statement) -> bool) {
-    body.retain(|one| !is(one));
-    body.iter_mut().flat_map(Statement::bodies_mut).for_each(|inner| left_out(inner, is));
+pub(super) fn left_out(body: &mut Vec<Statement>, is: &dyn Fn(&Statement) -> bool) {
+    body.retain_mut(|one| {
+        let before = one.bodies().iter().filter(|inner| !inner.is_empty()).count();
+        one.bodies_mut().into_iter().for_each(|inner| left_out(inner, is));
+        // An `IF` in which nothing else stood.
+        let nothing =
+            matches!(one, Statement::If(..)) && before > 0 && one.bodies().iter().all(|inner| inner.is_empty());
+        !is(one) && !nothing
+    });
 }
 
 /// A value as it is written, where it is a short one.
@@ -363,69 +325,8 @@ fn shown(value: &Expr) -> String {
     }
 }
 
-fn is_call(statement: &Statement, instance: &str) -> bool {
+pub(super) fn is_call(statement: &Statement, instance: &str) -> bool {
     matches!(statement, Statement::Call(name, _) if same(name, instance))
-}
-
-/// The calls of an instance with the conditions around them; false where one stands in a loop, or in a branch behind others.
-fn guarded<'s>(
-    body: &'s [Statement],
-    instance: &str,
-    guard: Option<&Expr>,
-    found: &mut Vec<(Option<Expr>, &'s Arguments)>,
-) -> bool {
-    let and = |condition: Expr| match guard {
-        Some(guard) => Expr::Binary(Op::And, Box::new(guard.clone()), Box::new(condition)),
-        None => condition,
-    };
-    body.iter().all(|statement| match statement {
-        Statement::Call(name, arguments) => {
-            found.extend(same(name, instance).then(|| (guard.cloned(), arguments)));
-            true
-        }
-        Statement::If(branches, otherwise) => match &branches[..] {
-            [(condition, then)] => {
-                // `IF c = TRUE THEN`
-                let condition = match condition {
-                    Expr::Binary(Op::Equal, of, value) if **value == Expr::Bool(true) => of,
-                    other => other,
-                };
-                let no = and(Expr::Not(Box::new(condition.clone())));
-                guarded(then, instance, Some(&and(condition.clone())), found)
-                    && guarded(otherwise, instance, Some(&no), found)
-            }
-            _ => !calls_within(statement, instance),
-        },
-        other => !calls_within(other, instance),
-    })
-}
-
-fn calls_within(statement: &Statement, instance: &str) -> bool {
-    let mut found = false;
-    for body in statement.bodies() {
-        each(body, &mut |one| found |= is_call(one, instance));
-    }
-    found
-}
-
-/// The steps that have a body, each with its qualifier.
-fn with_body<'p>(pou: &'p Pou, key: &'p str) -> impl Iterator<Item = (&'p str, &'p str)> {
-    pou.steps.iter().enumerate().flat_map(move |(number, step)| {
-        let blocks = step.blocks.iter().enumerate().filter(move |(index, block)| match &block.what {
-            What::Named(name) => same(name, key),
-            What::Inline(_) => inline(number, *index) == key,
-        });
-        blocks.map(|(_, block)| (&*step.name, &*block.qualifier))
-    })
-}
-
-/// The steps in which a body runs in each scan; none where it runs in others, too, by another qualifier.
-fn steps_of(pou: &Pou, key: &str) -> Vec<String> {
-    let all: Vec<(&str, &str)> = with_body(pou, key).collect();
-    if all.iter().any(|(_, qualifier)| !same(qualifier, "N")) {
-        return Vec::new();
-    }
-    all.into_iter().map(|(step, _)| step.to_owned()).collect()
 }
 
 /// Those of all transitions that can be read.

@@ -8,14 +8,21 @@ impl Scope<'_> {
     /// What a function of the standard gives, where it can be told.
     pub(super) fn returned(&self, name: &str, arguments: &Arguments) -> Option<Kind> {
         let upper = name.to_uppercase();
-        if operator(&upper).is_some_and(|op| matches!(op, Op::Equal | Op::Differs | Op::Less | Op::AtMost | Op::More | Op::AtLeast)) {
+        if operator(&upper)
+            .is_some_and(|op| matches!(op, Op::Equal | Op::Differs | Op::Less | Op::AtMost | Op::More | Op::AtLeast))
+        {
             return Some(Kind::Bool);
         }
         if let Some((_, to)) = conversion(&upper) {
             return self.kind_of(to);
         }
-        let of = if upper == "SEL" { arguments.get(1..).unwrap_or_default() } else { arguments };
-        of.iter().find_map(|(_, argument)| self.kind(argument))
+        // What chooses is none of the values.
+        let chosen = |(index, (name, _)): &(usize, &(Option<String>, Expr))| match name {
+            Some(name) => upper != "SEL" || !same(name, "G"),
+            None => upper != "SEL" || *index > 0,
+        };
+        let values: Vec<&Expr> = arguments.iter().enumerate().filter(chosen).map(|(_, (_, value))| value).collect();
+        self.common_of(&values).ok().flatten()
     }
 
     /// None where it is no function of the standard.
@@ -54,6 +61,11 @@ impl Scope<'_> {
         })
     }
 
+    /// The type that all of them have, or become.
+    fn common_of(&self, values: &[&Expr]) -> Result<Option<Kind>, String> {
+        values.iter().try_fold(None, |kind, value| self.common(kind, self.kind(value)))
+    }
+
     /// `a.abs()`
     fn method(&mut self, of: &Expr, method: &str, wanted: Option<Kind>) -> Result<Rust, String> {
         let kind = self.kind(of).or(wanted);
@@ -62,11 +74,11 @@ impl Scope<'_> {
 
     /// `a.min(b).min(c)`: a literal has no methods, as Rust does not know its type yet.
     fn extreme(&mut self, values: &[&Expr], method: &str, wanted: Option<Kind>) -> Result<Rust, String> {
-        let kind = values.iter().find_map(|value| self.kind(value)).or(wanted);
+        let kind = self.common_of(values)?.or(wanted);
         let Some(first) = values.iter().position(|value| self.kind(value).is_some()) else {
             return Err(format!("`{}` of literals alone", method.to_uppercase()));
         };
-        let mut text = self.expr(values[first], kind)?.within(strength::WORD);
+        let mut text = self.operand(values[first], kind)?.within(strength::WORD);
         for (_, other) in values.iter().enumerate().filter(|(index, _)| *index != first) {
             text.push_str(&format!(".{method}({})", self.rust(other, kind)?));
         }
@@ -76,18 +88,18 @@ impl Scope<'_> {
     /// `LIMIT(MN, IN, MX)`, where the upper end counts if the ends are the wrong way round.
     fn limit(&mut self, arguments: &Arguments, wanted: Option<Kind>) -> Result<Rust, String> {
         let [least, of, most] = named(arguments, ["MN", "IN", "MX"]);
-        let kind = [of, least, most].iter().find_map(|value| self.kind(value)).or(wanted);
+        let kind = self.common_of(&[of, least, most])?.or(wanted);
         if self.kind(of).is_none() {
             return Err("`LIMIT` of a literal".to_owned());
         }
-        let of = self.expr(of, kind)?.within(strength::WORD);
+        let of = self.operand(of, kind)?.within(strength::WORD);
         Ok(Rust::word(format!("{of}.max({}).min({})", self.rust(least, kind)?, self.rust(most, kind)?)))
     }
 
     /// `SEL(G, IN0, IN1)`
     fn select(&mut self, arguments: &Arguments, wanted: Option<Kind>) -> Result<Rust, String> {
         let [which, no, yes] = named(arguments, ["G", "IN0", "IN1"]);
-        let kind = self.kind(no).or_else(|| self.kind(yes)).or(wanted);
+        let kind = self.common_of(&[no, yes])?.or(wanted);
         let which = self.rust(which, Some(Kind::Bool))?;
         let (yes, no) = (self.rust(yes, kind)?, self.rust(no, kind)?);
         Ok(Rust(format!("if {which} {{ {yes} }} else {{ {no} }}"), strength::NONE))
@@ -104,8 +116,12 @@ impl Scope<'_> {
             return Err(format!("`{name}` by {by}"));
         }
         let method = match name {
-            "SHL" => return Ok(Rust(format!("{} << {by}", self.expr(of, kind)?.within(strength::WORD)), strength::NONE)),
-            "SHR" => return Ok(Rust(format!("{} >> {by}", self.expr(of, kind)?.within(strength::WORD)), strength::NONE)),
+            "SHL" => {
+                return Ok(Rust(format!("{} << {by}", self.expr(of, kind)?.within(strength::WORD)), strength::NONE));
+            }
+            "SHR" => {
+                return Ok(Rust(format!("{} >> {by}", self.expr(of, kind)?.within(strength::WORD)), strength::NONE));
+            }
             "ROL" => "rotate_left",
             _ => "rotate_right",
         };
@@ -121,9 +137,7 @@ impl Scope<'_> {
         let float = |name: &str| name.starts_with('f');
         match (from, to) {
             (Some(from), to) if from == to => Ok(of),
-            (Some(Kind::Bool), Kind::Number(ty)) if !float(ty) => {
-                Ok(Rust::word(format!("{ty}::from({})", of.0)))
-            }
+            (Some(Kind::Bool), Kind::Number(ty)) if !float(ty) => Ok(Rust::word(format!("{ty}::from({})", of.0))),
             (Some(Kind::Number(from)), Kind::Bool) if !float(from) => {
                 Ok(Rust(format!("{} != 0", of.within(strength::COMPARE + 1)), strength::COMPARE))
             }
@@ -218,4 +232,3 @@ fn written_in_rust(body: &str) -> Option<&str> {
 fn mentions(rust: &str, name: &str) -> bool {
     rust.split(|letter: char| !letter.is_alphanumeric() && letter != '_').any(|word| word == name)
 }
-

@@ -3,9 +3,9 @@
 //! - `source`: a chart as it stands in a file; `textual` and `xml` read it there, with `lexer`, `parser` and `statement` for structured text, `drawing` (and `codesys`) for what
 //!   is connected with what, and `drawn` for networks that are a condition
 //! - `names`: names that Rust takes
-//! - `types`: enums that a file declares
+//! - `types`, `enums`: enums that a file declares, and their values
 //! - `expr`, `parts`, `functions`, `block`: conditions, values, functions and statements in Rust
-//! - `blocks`: standard function blocks that are written out; `walk`: what statements read and write
+//! - `blocks`: standard function blocks that are written out; `timers`: those of some steps alone; `walk`: what statements read and write
 //! - `facts`: what the variables of a program are: who writes them, which of them only remember what was before
 //! - `actions`, `drives`: what steps do, as a person would have written it
 //! - `rust`, `declare`: a chart as source
@@ -18,6 +18,7 @@ mod declare;
 mod drawing;
 mod drawn;
 mod drives;
+mod enums;
 mod expr;
 mod facts;
 mod functions;
@@ -29,6 +30,7 @@ mod rust;
 mod source;
 mod statement;
 mod textual;
+mod timers;
 mod types;
 mod walk;
 mod xml;

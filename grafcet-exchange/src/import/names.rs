@@ -115,7 +115,8 @@ mod tests {
     #[test]
     fn words_of_names() {
         assert_eq!(
-            ["on", "SWITCH_BUTTON", "SwitchButton", "xStart", "q1", "_a__b", "größe", "SFCInit", "Pusher1MovedOut"].map(snake),
+            ["on", "SWITCH_BUTTON", "SwitchButton", "xStart", "q1", "_a__b", "größe", "SFCInit", "Pusher1MovedOut"]
+                .map(snake),
             ["on", "switch_button", "switch_button", "x_start", "q1", "a_b", "gr_e", "sfc_init", "pusher1_moved_out"]
         );
         assert_eq!(

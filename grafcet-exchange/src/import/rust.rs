@@ -117,7 +117,8 @@ fn unused(pou: &Pou, facts: &Facts) -> Vec<Wrong> {
         let blocks = pou.steps.iter().flat_map(|step| &step.blocks);
         blocks.into_iter().any(|block| matches!(&block.what, What::Named(other) if same(other, name)))
     };
-    let unused = pou.actions.iter().filter(|one| !at_step(&one.name) && !facts.called.contains(&one.name.to_lowercase()));
+    let unused =
+        pou.actions.iter().filter(|one| !at_step(&one.name) && !facts.called.contains(&one.name.to_lowercase()));
     let note = |one: &Action| Wrong {
         at: one.body.at.clone(),
         message: format!("left out: the action `{}`, which belongs to no step", one.name),
@@ -287,7 +288,10 @@ fn steps(pou: &Pou, scope: &Scope<'_>, (bodies, within): (&[Vec<String>], &[Opti
         };
         let name = scope.names.get(&step.name).unwrap_or_default();
         let one = body.join(" ");
-        let name = within.get(index).and_then(|within| within.as_ref()).map_or_else(|| name.to_owned(), |within| format!("{name} within {within}"));
+        let name = within
+            .get(index)
+            .and_then(|within| within.as_ref())
+            .map_or_else(|| name.to_owned(), |within| format!("{name} within {within}"));
         if body.is_empty() {
             lines.push(format!("        {word} {name};"));
         } else if one.len() < 70

@@ -71,9 +71,8 @@ impl Cursor<'_> {
         if self.sign("(") {
             let (arguments, outputs) = self.arguments_and_outputs()?;
             statements.push(Statement::Call(name.clone(), arguments));
-            let read = |(output, target): (String, String)| {
-                Statement::Assign(target, Expr::Member(name.clone(), output))
-            };
+            let read =
+                |(output, target): (String, String)| Statement::Assign(target, Expr::Member(name.clone(), output));
             statements.extend(outputs.into_iter().map(read));
             return Ok(());
         }

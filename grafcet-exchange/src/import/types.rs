@@ -227,4 +227,3 @@ fn in_rust(name: &str, rust: String, values: &[(String, Option<i128>)], initial:
     let initial = initial.and_then(|name| values.iter().position(|(other, _)| same(other, name)));
     Enum { name: name.to_owned(), rust, values: done, numbered: !counted && fits, initial: initial.unwrap_or(0) }
 }
-
