@@ -112,7 +112,7 @@ impl Scope<'_> {
                 if by > 0 { format!("{first}{suffix}..={last}") } else { format!("({last}..={first}{suffix}).rev()") };
             if by.abs() > 1 {
                 range = if by > 0 { format!("({range})") } else { range };
-                range.push_str(&format!(".step_by({})", by.abs()));
+                range = format!("{range}.step_by({})", by.abs());
             }
             return self.around(format!("{indent}for {word} in {range} {{"), body, Vec::new(), depth);
         }
@@ -186,7 +186,7 @@ impl Scope<'_> {
         let fits = match (label, kind) {
             (Expr::Int(value), Some(kind @ Kind::Number(_))) => fits(*value, kind),
             (Expr::Int(_) | Expr::Name(_) | Expr::Member(..) | Expr::Typed(..), Some(Kind::Enum(_))) => {
-                self.kinds.get(&name_of(label).to_lowercase()).is_none()
+                !self.kinds.contains_key(&name_of(label).to_lowercase())
             }
             _ => false,
         };

@@ -72,7 +72,9 @@ pub(super) fn written_out(
         return false;
     }
     let mut read: Vec<String> = Vec::new();
-    conditions.iter().for_each(|condition| names(condition, &mut read));
+    for condition in conditions {
+        names(condition, &mut read);
+    }
     for body in &*bodies {
         each(body, &mut |one| super::walk::expressions(one).into_iter().for_each(|expr| names(expr, &mut read)));
     }
@@ -82,7 +84,9 @@ pub(super) fn written_out(
         replaced(body, &instance.name, &mut || {
             let given = values.next().unwrap_or_default();
             let mut done = Written { name: &instance.name, given }.statements(ty);
-            done.retain(|one| !matches!(one, Statement::Assign(target, _) if ["Q", "Q1", "QU", "QD"].iter().any(|part| target.ends_with(&format!(".{part}"))) && !is_read(target.rsplit('.').next().unwrap_or_default()) && !target.ends_with("Q1")));
+            let unread = |part: &str| part.starts_with('Q') && part != "Q1" && !is_read(part);
+            let last = |target: &String| target.rsplit('.').next().is_some_and(unread);
+            done.retain(|one| !matches!(one, Statement::Assign(target, _) if last(target)));
             done
         });
     }

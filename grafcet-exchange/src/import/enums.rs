@@ -89,7 +89,7 @@ fn is_wider(one: Kind, other: Kind) -> bool {
     let width = |name: &str| name[1..].parse::<u32>().unwrap_or_default();
     let (wide, narrow) = (width(one), width(other));
     match (&one[..1], &other[..1]) {
-        ("i", "i") | ("u", "u") | ("f", "f") | ("i", "u") => wide > narrow,
+        ("i", "i" | "u") | ("u", "u") | ("f", "f") => wide > narrow,
         // As many bits as a float keeps exactly.
         ("f", "i" | "u") => wide >= 2 * narrow,
         _ => false,

@@ -80,7 +80,7 @@ impl Scope<'_> {
         };
         let mut text = self.operand(values[first], kind)?.within(strength::WORD);
         for (_, other) in values.iter().enumerate().filter(|(index, _)| *index != first) {
-            text.push_str(&format!(".{method}({})", self.rust(other, kind)?));
+            text = format!("{text}.{method}({})", self.rust(other, kind)?);
         }
         Ok(Rust::word(text))
     }
