@@ -212,6 +212,24 @@ fn timers_of_steps() {
     assert!(found, "{:?}", done.charts[0].notes);
 }
 
+/// A variable and an action that are called as a step is.
+#[test]
+fn one_name_for_two() {
+    let done = imported(
+        "PROGRAM P VAR_INPUT init, go : BOOL; END_VAR VAR n : INT; END_VAR
+        INITIAL_STEP Init: Go(N); END_STEP STEP Go: END_STEP
+        TRANSITION FROM Init TO Go := init AND n == 0; END_TRANSITION TRANSITION FROM Go TO Init := NOT Init.X AND go; END_TRANSITION
+        ACTION Go: n := buf[3]; END_ACTION END_PROGRAM",
+    );
+    for part in [
+        "input init, go: bool;",
+        "initial step Init { N go_2(); }",
+        "Init -[init && n == 0]-> Go -[!Init.X && go]-> Init;",
+    ] {
+        assert!(done.rust.contains(part), "{part}\n{}", done.rust);
+    }
+}
+
 /// Files that only their tool reads are told by their root, with what to do.
 #[test]
 fn files_of_other_tools() {

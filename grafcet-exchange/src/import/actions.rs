@@ -216,8 +216,7 @@ impl<'p, 's> Actions<'p, 's> {
 
     /// A code action with the text that it stands for.
     fn stub(&mut self, name: &str, text: &Piece, said: &str) -> String {
-        let known = self.scope.names.get(name).map(str::to_owned);
-        let rust = known.unwrap_or_else(|| self.scope.names.value(name));
+        let rust = self.scope.names.action(name);
         let mut docs: Vec<String> = Vec::new();
         docs.extend((!said.is_empty()).then(|| said.to_owned()));
         docs.push(format!("To be written: `{name}` was {}", text.language.as_deref().unwrap_or("structured text")));

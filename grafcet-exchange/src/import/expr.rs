@@ -198,14 +198,14 @@ impl Scope<'_> {
                     self.differs.push(format!("`{step}.T` is zero here while the step is not active"));
                 }
                 let limit = self.rust(limit, Some(Kind::Time))?;
-                Ok(Rust(format!("{limit}/{}", self.names.get(step).unwrap_or_default()), strength::PRODUCT))
+                Ok(Rust(format!("{limit}/{}", self.names.get_step(step).unwrap_or_default()), strength::PRODUCT))
             }
         }
     }
 
     fn member(&mut self, of: &str, member: &str) -> Result<Rust, String> {
         if self.steps.contains(&of.to_lowercase()) {
-            let step = self.names.get(of).unwrap_or_default().to_owned();
+            let step = self.names.get_step(of).unwrap_or_default().to_owned();
             return match &*member.to_lowercase() {
                 "x" => Ok(Rust::word(format!("{step}.X"))),
                 "t" => {

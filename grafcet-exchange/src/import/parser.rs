@@ -103,7 +103,7 @@ const LEVELS: [&[(&str, Op)]; 7] = [
     &[("or", Op::Or)],
     &[("xor", Op::Xor)],
     &[("and", Op::And), ("&", Op::And)],
-    &[("=", Op::Equal), ("<>", Op::Differs), ("!=", Op::Differs)],
+    &[("=", Op::Equal), ("<>", Op::Differs), ("==", Op::Equal), ("!=", Op::Differs)],
     &[("<", Op::Less), ("<=", Op::AtMost), (">", Op::More), (">=", Op::AtLeast)],
     &[("+", Op::Add), ("-", Op::Sub)],
     &[("*", Op::Mul), ("/", Op::Div), ("mod", Op::Mod)],

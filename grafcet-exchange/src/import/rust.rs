@@ -286,7 +286,7 @@ fn steps(pou: &Pou, scope: &Scope<'_>, (bodies, within): (&[Vec<String>], &[Opti
             (false, true) => "step",
             (false, false) => "final step",
         };
-        let name = scope.names.get(&step.name).unwrap_or_default();
+        let name = scope.names.get_step(&step.name).unwrap_or_default();
         let one = body.join(" ");
         let name = within
             .get(index)
@@ -348,7 +348,7 @@ fn label(transition: &Transition) -> String {
 }
 
 fn named(scope: &Scope<'_>, steps: &[String]) -> String {
-    let names: Vec<&str> = steps.iter().map(|step| scope.names.get(step).unwrap_or_default()).collect();
+    let names: Vec<&str> = steps.iter().map(|step| scope.names.get_step(step).unwrap_or_default()).collect();
     if let [one] = names[..] { one.to_owned() } else { format!("({})", names.join(", ")) }
 }
 

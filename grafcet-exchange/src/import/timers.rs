@@ -74,7 +74,7 @@ impl Scope<'_> {
             return Err(format!("`{name}` is called in several steps, and none or several of them are meant here"));
         };
         let steps = call.steps.iter().filter(|step| !call.each || is_here(step));
-        let steps: Vec<String> = steps.filter_map(|step| self.names.get(step)).map(str::to_owned).collect();
+        let steps: Vec<String> = steps.filter_map(|step| self.names.get_step(step)).map(str::to_owned).collect();
         let active = steps.iter().map(|step| format!("{step}.X")).collect::<Vec<_>>().join(" || ");
         let limit = self.rust(&call.limit, Some(Kind::Time))?;
         let step = if let [step] = &steps[..] { format!("{limit}/{step}") } else { format!("{limit}/({active})") };
