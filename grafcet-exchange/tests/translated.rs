@@ -98,6 +98,11 @@ fn loops() {
         of("WHILE m < 5 DO IF a THEN CONTINUE; END_IF; m := m + 1; EXIT; END_WHILE"),
         "P1 { while m < 5 { if a { continue; } m = m + 1; break; } }"
     );
+    // And so in a condition.
+    let text =
+        program("", "i : INT;", "FOR i := 0 TO 3 DO q := a; END_FOR").replace("S1 TO S2 := a;", "S1 TO S2 := i > 3;");
+    let done = imported(&text);
+    assert!(done.rust.contains("i = 0;") && done.rust.contains("S1 -[i > 3]-> S2"), "{}", done.rust);
     let refused = |text: &str| refused("", "i, j : INT;", text);
     assert_eq!(refused("FOR i := 0 TO 3 BY n DO m := 1; END_FOR"), "`FOR` by what is no literal");
     let ends = "`FOR` over `i`, which is read elsewhere, with `CONTINUE` or an end that changes";
@@ -144,6 +149,9 @@ fn functions() {
     assert_eq!(refused("v := SHL(w, n); q := v.2;"), "`SHL` by what is no literal");
     assert_eq!(refused("m := MIN(1, 2);"), "`MIN` of literals alone");
     assert_eq!(refused("q := w.16;"), "`w` has no bit 16");
+    // A float keeps 24 bits exactly.
+    let two = refused("x := d;");
+    assert_eq!(two, "i32 and f32 are two types, and Rust would need to be told how one becomes the other");
     assert_eq!(
         refused("m := d;"),
         "i32 and i16 are two types, and Rust would need to be told how one becomes the other"
