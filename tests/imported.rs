@@ -1,10 +1,16 @@
 //! What `cargo grafcet import` has made of the files in `tests/imported`: rustc takes it, and it does what the files say.
 //! `grafcet-exchange/tests/imported.rs` sees to it that it is what is made of them.
 
-#![allow(dead_code, deprecated, unreachable_pub, reason = "an imported chart is for whoever takes the file, warnings and all")]
+#![allow(
+    dead_code,
+    deprecated,
+    unreachable_pub,
+    reason = "an imported chart is for whoever takes the file, warnings and all"
+)]
 #![allow(clippy::pedantic, reason = "nobody has gone over it")]
 #![allow(
     clippy::assign_op_pattern,
+    clippy::enum_variant_names,
     clippy::manual_clamp,
     clippy::nonminimal_bool,
     clippy::needless_bool,
