@@ -245,7 +245,9 @@ fn garbage() {
     let model = plant::model(chart.parse().expect("tokens"), &mut sink).expect("a chart");
     _ = sink.finish();
     let xml = plcopen(&model, Options::default()).expect("a translation").text;
-    for text in [xml.as_str(), STATION] {
+    let words = include_str!("../../tests/imported/words.st");
+    let blocks = include_str!("../../tests/imported/blocks.st");
+    for text in [xml.as_str(), STATION, words, blocks] {
         for end in (0..text.len()).step_by(3) {
             if text.is_char_boundary(end) {
                 _ = import(&text[..end], "there");

@@ -105,6 +105,8 @@ fn loops() {
     assert!(done.rust.contains("i = 0;") && done.rust.contains("S1 -[i > 3]-> S2"), "{}", done.rust);
     let refused = |text: &str| refused("", "i, j : INT;", text);
     assert_eq!(refused("FOR i := 0 TO 3 BY n DO m := 1; END_FOR"), "`FOR` by what is no literal");
+    let by = "`FOR` by a number that its variable cannot hold";
+    assert_eq!(refused("FOR i := 0 TO 3 BY 99999999999999999999999 DO m := 1; END_FOR"), by);
     let ends = "`FOR` over `i`, which is read elsewhere, with `CONTINUE` or an end that changes";
     assert_eq!(refused("FOR i := 0 TO m DO m := 1; END_FOR; m := i;"), ends);
     assert_eq!(refused("FOR i := 0 TO 3 DO IF a THEN CONTINUE; END_IF; END_FOR; m := i;"), ends);

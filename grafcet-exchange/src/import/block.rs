@@ -98,6 +98,9 @@ impl Scope<'_> {
         let Some(kind) = self.kinds.get(&key).or(self.counters.get(&key)).copied() else {
             return Err(format!("`{name}` is not declared as a value that Rust has"));
         };
+        if !fits(by.abs(), kind) {
+            return Err("`FOR` by a number that its variable cannot hold".to_owned());
+        }
         let (first, last) = (self.expr(from, Some(kind))?, self.expr(to, Some(kind))?);
         if self.counters.contains_key(&key) {
             let read = body.iter().map(|one| count(one, name)).sum::<usize>() > 0;

@@ -217,7 +217,7 @@ fn in_rust(name: &str, rust: String, values: &[(String, Option<i128>)], initial:
     let mut done = Vec::new();
     for (value, number) in values {
         let number = number.unwrap_or(next);
-        next = number + 1;
+        next = number.saturating_add(1);
         done.push((value.clone(), names.step(value), number));
     }
     let counted = done.iter().zip(0..).all(|((.., number), index)| *number == index);
