@@ -1,4 +1,5 @@
-//! The suites that `cargo grafcet tests` has written of the examples, run with the compiled charts. `cargo-grafcet/tests/suite.rs` sees to it that they
+//! The suites that `cargo grafcet tests` has written of the examples, run with the compiled charts; one of them is that of a chart that asks its program, where a person has written
+//! how it answers. `cargo-grafcet/tests/suite.rs` sees to it that they
 //! are what it writes.
 
 #![allow(
@@ -7,6 +8,8 @@
     reason = "the examples can be played and are for others, too, which is not done here"
 )]
 
+#[path = "suites/program/asked.rs"]
+mod asked;
 #[path = "../examples/charts/branch_on_result.rs"]
 mod branch_on_result;
 #[path = "../examples/charts/cell.rs"]
@@ -26,6 +29,9 @@ mod stroke;
 #[path = "../examples/charts/tickless.rs"]
 mod tickless;
 
+#[rustfmt::skip]
+#[path = "suites/asked.rs"]
+mod suite_of_asked;
 #[rustfmt::skip]
 #[path = "suites/branch_on_result.rs"]
 mod suite_of_branch_on_result;

@@ -385,3 +385,44 @@ fn one_file_takes_one_drawing() {
     assert_eq!((done.code, done.err.as_str()), (Some(2), said));
     assert_eq!(diff(two, two, &["--chart", "B", "-o", "b.svg"]).code, Some(0));
 }
+
+/// Versions that git keeps, by its own words; the file of the other side where no path stands there.
+#[test]
+fn versions_of_git() {
+    let folder = folder(&[("src/motor.rs", BASE)]);
+    let git = |arguments: &[&str]| {
+        let mut command = std::process::Command::new("git");
+        command.args(["-c", "user.name=A", "-c", "user.email=a@b.c", "-c", "commit.gpgsign=false"]).args(arguments);
+        command.env("GIT_CONFIG_GLOBAL", folder.path().join("none")).env("GIT_CONFIG_NOSYSTEM", "1");
+        let done = command.current_dir(folder.path()).output().expect("git is there");
+        assert!(done.status.success(), "{done:?}");
+    };
+    git(&["init", "-q"]);
+    git(&["add", "."]);
+    git(&["commit", "-q", "-m", "one"]);
+    fs::write(folder.path().join("src/motor.rs"), BASE.replace("level < 10", "level < 9")).expect("written");
+    let run = |arguments: &[&str]| tool(folder.path(), &[&["diff"], arguments].concat());
+    let changed =
+        "Motor: 1 change\n  `Cool → Off` clears on `5s/Cool && level < 9` instead of `5s/Cool && level < 10`\n";
+    for old in ["HEAD:src/motor.rs", "HEAD:"] {
+        let done = run(&[old, "src/motor.rs"]);
+        assert_eq!((done.code, done.out.as_str(), done.err.as_str()), (Some(1), changed, ""), "{done:?}");
+    }
+    git(&["commit", "-q", "-a", "-m", "two"]);
+    let done = run(&["HEAD~1:", "HEAD:src/motor.rs"]);
+    assert_eq!((done.code, done.out.as_str()), (Some(1), changed), "{done:?}");
+    let done = run(&["HEAD:", "src/motor.rs"]);
+    assert_eq!((done.code, done.out.as_str()), (Some(0), "Motor: nothing has changed\n"), "{done:?}");
+    // What is not there, and what is no revision.
+    let done = run(&["HEAD:src/press.rs", "src/motor.rs"]);
+    assert_eq!(done.code, Some(2), "{done:?}");
+    assert!(
+        done.err.contains("HEAD:src/press.rs: git says: path 'src/press.rs' does not exist in 'HEAD'"),
+        "{}",
+        done.err
+    );
+    let done = run(&["--", "--help:src/motor.rs", "src/motor.rs"]);
+    assert!(done.code == Some(2) && done.err.contains("a revision does not begin with `-`"), "{done:?}");
+    let done = tool(tempfile::tempdir().expect("a folder").path(), &["diff", "HEAD:a.rs", "HEAD:b.rs"]);
+    assert!(done.code == Some(2) && done.err.contains("git says: "), "{done:?}");
+}

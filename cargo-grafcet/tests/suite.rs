@@ -186,6 +186,26 @@ fn suites_of_the_examples() {
     }
 }
 
+/// The same of a chart that asks its program: `tests/suites/asked.rs` is what is written, with the function that a person has to write.
+#[test]
+fn a_suite_that_asks_the_program() {
+    const TO_BE_WRITTEN: &str = "    todo!(\"let the program answer {answers:?}\")\n";
+    const BY_A_PERSON: &str = "    super::asked::answer(answers.is_calm_3);\n";
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = folder(&[]);
+    let written = folder.path().join("asked.rs").display().to_string();
+    let done = tool(&root, &["tests", "tests/suites/program/asked.rs", "--rust", &written, "--path", "super::asked"]);
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let written = fs::read_to_string(&written).expect("written");
+    assert_eq!(written.matches(TO_BE_WRITTEN).count(), 1, "{written}");
+    let written = written.replace(TO_BE_WRITTEN, BY_A_PERSON);
+    let kept = root.join("tests/suites/asked.rs");
+    if std::env::var_os("BLESS").is_some() {
+        fs::write(&kept, &written).expect("kept");
+    }
+    assert_eq!(fs::read_to_string(&kept).expect("kept"), written);
+}
+
 /// Values that nobody guesses, in both dialects, and a number of cycles that the search does not go.
 #[test]
 fn the_prover_finds_ways() {

@@ -83,7 +83,7 @@ impl Recordable for Lamp {
     const FINGERPRINT: u32 = 1;
     const LAYOUT: u32 = 1;
     const TIMED: bool = true;
-    const POSSIBLE: Possible = Possible::Unknown;
+    const POSSIBLE: Possible<'static> = Possible::Unknown;
     const PARAM_BITS: usize = 0;
     const STATE_BITS: usize = 33;
 

@@ -126,13 +126,13 @@ fn stubs() {
         TRANSITION FROM S1 TO S2 := T1.Q; END_TRANSITION
         STEP S2: END_STEP
         TRANSITION FROM S2 TO S1 := SQRT(n) > 3; END_TRANSITION
-        ACTION Work: FOR i := 1 TO 3 DO n := n + 1; END_FOR; END_ACTION
+        ACTION Work: IF q THEN RETURN; END_IF; END_ACTION
         END_PROGRAM",
     );
     let rust = &done.rust;
     for wanted in [
         "action work();",
-        "/// To be written: `Work` was structured text\n        ///     FOR i := 1 TO 3 DO n := n + 1; END_FOR;",
+        "/// To be written: `Work` was structured text\n        ///     IF q THEN RETURN; END_IF;",
         "initial step S1 { N work(); q; }",
         "S1 -[s1_to_s2()]-> S2 -[s2_to_s1()]-> S1;",
         "/// To be written: the condition from S1 to S2, which was\n///     T1.Q;\nfn s1_to_s2() -> bool {\n    todo!(",
@@ -246,7 +246,9 @@ fn garbage() {
     _ = sink.finish();
     let xml = [Edition::Tc6, Edition::Iec61131Part10]
         .map(|edition| plcopen(&model, Options { edition, ..Options::default() }).expect("a translation").text);
-    for text in [&*xml[0], &*xml[1], STATION] {
+    let words = include_str!("../../tests/imported/words.st");
+    let blocks = include_str!("../../tests/imported/blocks.st");
+    for text in [&*xml[0], &*xml[1], STATION, words, blocks] {
         for end in (0..text.len()).step_by(3) {
             if text.is_char_boundary(end) {
                 _ = import(&text[..end], "there");
@@ -441,9 +443,9 @@ TRANSITION FROM Work TO Rest := axis.ok AND col = Red; END_TRANSITION
 STEP Rest: Loops(P1); Repeats(P1); Parts(P0); END_STEP
 TRANSITION FROM Rest TO Init := name = 'done' OR w.3; END_TRANSITION
 ACTION Act: (* why *) CASE n OF 1: q := TRUE; // first
-  2..4: q := FALSE; ELSE n := 0; END_CASE; END_ACTION
+  2..4: q := name = 'x'; ELSE n := 0; END_CASE; END_ACTION
 ACTION Loops: FOR i := 0 TO 9 DO buf[i] := 0; END_FOR; WHILE n > 0 DO n := n - 1; END_WHILE; END_ACTION
-ACTION Repeats: REPEAT n := n + 1; UNTIL n > 5 END_REPEAT; END_ACTION
+ACTION Repeats: REPEAT n := n + 1; IF q THEN CONTINUE; END_IF; UNTIL n > 5 END_REPEAT; END_ACTION
 ACTION Parts: axis.pos := 3; buf[0] := level[1]; END_ACTION
 END_PROGRAM
 ";
@@ -452,9 +454,9 @@ END_PROGRAM
     let rust: String =
         done.rust.lines().map(|line| line.trim().trim_start_matches("///").trim()).collect::<Vec<_>>().join(" ");
     for part in [
-        "(* why *) CASE n OF 1: q := TRUE; // first 2..4: q := FALSE; ELSE n := 0; END_CASE;",
+        "(* why *) CASE n OF 1: q := TRUE; // first 2..4: q := name = 'x'; ELSE n := 0; END_CASE;",
         "FOR i := 0 TO 9 DO buf[i] := 0; END_FOR; WHILE n > 0 DO n := n - 1; END_WHILE;",
-        "REPEAT n := n + 1; UNTIL n > 5 END_REPEAT;",
+        "REPEAT n := n + 1; IF q THEN CONTINUE; END_IF; UNTIL n > 5 END_REPEAT;",
         "axis.pos := 3; buf[0] := level[1];",
         "start AND level[2] > 5;",
         "axis.ok AND col = Red;",
@@ -472,12 +474,15 @@ END_PROGRAM
         let found = notes.iter().find(|(message, _)| message.starts_with(begin));
         assert!(found.is_some_and(|(_, at)| at.trim_start().starts_with(place)), "{begin} at {place}: {notes:#?}");
     };
-    for (name, ty) in [("level", "ARRAY"), ("axis", "Axis"), ("col", "Colour"), ("name", "STRING"), ("buf", "ARRAY")] {
+    for (name, ty) in [("level", "ARRAY"), ("axis", "Axis"), ("name", "STRING"), ("buf", "ARRAY")] {
         at(&format!("`{name}` of type {ty}"), name);
     }
-    at("`Act` is a code action to be written in Rust: `CASE` is not translated", "(* why *)");
-    at("`Loops` is a code action to be written in Rust: `FOR` is not translated", "FOR");
-    at("`Repeats` is a code action to be written in Rust: `REPEAT` is not translated", "REPEAT");
+    at("`Act` is a code action to be written in Rust: expected a value, found the text 'x'", "(* why *)");
+    at(
+        "`Loops` is a code action to be written in Rust: expected `:=`, or a call: other statements are not translated, found `[`",
+        "FOR",
+    );
+    at("`Repeats` is a code action to be written in Rust: `CONTINUE` within `REPEAT`", "REPEAT");
     at("`Parts` is a code action to be written in Rust: ", "axis.pos");
     at("`init_to_work` is a function to be written in Rust: ", "start AND");
     at("`work_to_rest` is a function to be written in Rust: `axis.ok` is a part of something", "axis.ok");

@@ -4,7 +4,7 @@ use crate::command::{Result, run as run_command};
 use crate::project::cargo;
 
 /// Records the expansions and programs of `tests/golden`, the pictures of `tests/pictures` and `docs/pictures`, what the commands of
-/// `docs/tool.md` show, the suites of `tests/suites`, and the messages of `tests/ui` and `tests/record/tests/refused`.
+/// `docs/tool.md` show, the suites of `tests/suites`, what is made of the files of `tests/imported`, and the messages of `tests/ui` and `tests/record/tests/refused`.
 ///
 /// # Errors
 /// A chart does not do what it should: a neighbour does not compile, or a chart with a mistake does.
@@ -17,6 +17,7 @@ pub(crate) fn run() -> Result {
         cargo(&["test", "--package", "grafcet-conformance", "--test", "programs", "--test", "printed"])
             .env("BLESS", "1"),
     )?;
+    run_command(cargo(&["test", "--package", "grafcet-exchange", "--test", "imported"]).env("BLESS", "1"))?;
     run_command(cargo(&["test", "--package", "cargo-grafcet", "--test", "page", "--test", "suite"]).env("BLESS", "1"))?;
     run_command(cargo(&["test", "--package", "grafcet", "--test", "ui"]).env("TRYBUILD", "overwrite"))?;
     run_command(cargo(&["test", "--package", "grafcet-record", "--test", "own_types"]).env("TRYBUILD", "overwrite"))

@@ -1,5 +1,6 @@
 //! `cargo grafcet diff`
 //!
+//! - `version`: files, and what git keeps of them
 //! - `words`: a chart in words; `levels`: the levels of rules in it
 //! - `renamed`: what is the same under another name
 //! - `changes`: what is left
@@ -9,6 +10,7 @@ mod changes;
 mod drawn;
 mod levels;
 mod renamed;
+mod version;
 mod words;
 
 use std::fs;
@@ -39,14 +41,15 @@ use words::Words;
 #[command(after_help = "\
 Examples:
   cargo grafcet diff old/motor.rs src/motor.rs
-  git show HEAD~1:src/motor.rs > old.rs; cargo grafcet diff old.rs src/motor.rs --draw
+  cargo grafcet diff HEAD~1:src/motor.rs src/motor.rs --draw
+  cargo grafcet diff main: src/motor.rs
   cargo grafcet diff old.rs src/motor.rs -o changes.svg
 
 Exit code 1 says that something has changed.")]
 pub(crate) struct Diff {
-    /// A file with the old version
+    /// A file with the old version, or `REV:PATH` as git takes it; `REV:` is the other file there
     pub(crate) old: PathBuf,
-    /// A file with the new version
+    /// A file with the new version, or the same
     pub(crate) new: PathBuf,
     /// Only the charts of this name
     #[arg(long, value_name = "NAME")]
@@ -66,12 +69,12 @@ pub(crate) struct Diff {
 }
 
 pub(crate) fn run(options: &Diff) -> Result<Outcome, Failure> {
-    let of = |file| -> Result<Vec<Found>, Failure> {
-        let mut charts = find::of_files(std::slice::from_ref(file))?;
+    let of = |file: &Path, other: &Path| -> Result<Vec<Found>, Failure> {
+        let mut charts = version::charts(file, other)?;
         charts.retain(|chart| options.chart.as_ref().is_none_or(|name| chart.name == *name));
         Ok(charts)
     };
-    let (old, new) = (of(&options.old)?, of(&options.new)?);
+    let (old, new) = (of(&options.old, &options.new)?, of(&options.new, &options.old)?);
     if options.output.is_some() {
         one_pair(&old, &new)?;
     }

@@ -146,18 +146,7 @@ fn of_packages(options: &Charts) -> Result<Vec<Found>, Failure> {
 pub(crate) fn of_files(files: &[PathBuf]) -> Result<Vec<Found>, Failure> {
     let mut charts = Vec::new();
     for path in files {
-        let file = File::read(path)?;
-        let mut found = file.charts();
-        // A file with a chart alone, as it stands between the braces.
-        if found.is_empty() && chart_name(&file.tokens).is_some() {
-            found.push(Found {
-                name: chart_name(&file.tokens).unwrap_or_default(),
-                tokens: file.tokens,
-                source: file.source,
-                call: Span::call_site(),
-            });
-        }
-        charts.append(&mut found);
+        charts.append(&mut File::read(path)?.all());
     }
     if charts.is_empty() {
         let files: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
@@ -174,6 +163,15 @@ pub(crate) fn of_text(path: &Path, text: &str) -> Result<Vec<Found>, Failure> {
     Ok(File::of(path, text)?.charts())
 }
 
+/// The same of a file as it was, with a chart alone, too.
+pub(crate) fn of_version(path: &Path, text: &str) -> Result<Vec<Found>, Failure> {
+    let charts = File::of(path, text)?.all();
+    if charts.is_empty() {
+        return Err(Failure::Said(format!("there is no `grafcet!` in {}, and no chart", path.display())));
+    }
+    Ok(charts)
+}
+
 /// A file as tokens.
 struct File {
     source: Rc<Source>,
@@ -181,6 +179,15 @@ struct File {
 }
 
 impl File {
+    /// Its calls, or the chart that it is itself, as it stands between the braces.
+    fn all(self) -> Vec<Found> {
+        let mut found = self.charts();
+        if let (true, Some(name)) = (found.is_empty(), chart_name(&self.tokens)) {
+            found.push(Found { name, tokens: self.tokens, source: self.source, call: Span::call_site() });
+        }
+        found
+    }
+
     fn read(path: &Path) -> Result<Self, Failure> {
         Self::of(path, &fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?)
     }

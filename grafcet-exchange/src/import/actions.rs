@@ -216,8 +216,7 @@ impl<'p, 's> Actions<'p, 's> {
 
     /// A code action with the text that it stands for.
     fn stub(&mut self, name: &str, text: &Piece, said: &str) -> String {
-        let known = self.scope.names.get(name).map(str::to_owned);
-        let rust = known.unwrap_or_else(|| self.scope.names.value(name));
+        let rust = self.scope.names.action(name);
         let mut docs: Vec<String> = Vec::new();
         docs.extend((!said.is_empty()).then(|| said.to_owned()));
         docs.push(format!("To be written: `{name}` was {}", text.language.as_deref().unwrap_or("structured text")));
@@ -253,13 +252,13 @@ impl<'p, 's> Actions<'p, 's> {
             let input = declared.and_then(|pou| {
                 pou.variables.iter().find(|one| name.as_deref().is_some_and(|name| same(name, &one.name)))
             });
-            let kind = input.and_then(|input| Kind::of(&input.ty)).or_else(|| self.scope.kind(value));
+            let kind = input.and_then(|input| self.scope.kind_of(&input.ty)).or_else(|| self.scope.kind(value));
             let Some(kind) = kind else { return Err(format!("the type of an argument of `{instance}` is not known")) };
             given.push(self.scope.rust(value, Some(kind))?);
             let name = name
                 .as_deref()
                 .map_or_else(|| format!("argument_{}", index + 1), |name| super::names::Names::new().value(name));
-            parameters.push(format!("{name}: {}", kind.rust()));
+            parameters.push(format!("{name}: {}", self.scope.type_of(kind)));
         }
         let known = self.scope.names.get(instance).map(str::to_owned);
         let rust = known.unwrap_or_else(|| self.scope.names.value(instance));

@@ -60,7 +60,7 @@ pub(super) fn declared(
         if facts.memory.contains_key(&key) || facts.instances.contains_key(&key) || !seen.insert(key) {
             continue;
         }
-        let Some(kind) = Kind::of(&variable.ty) else { continue };
+        let Some(kind) = scope.kinds.get(&variable.name.to_lowercase()).copied() else { continue };
         let role = role(variable, written);
         let outside = !variable.constant && variable.section == Section::Local && variable.address.is_none();
         if outside && matches!(role, Role::Input | Role::Param) {
@@ -68,7 +68,13 @@ pub(super) fn declared(
             let message = format!("nothing that is translated writes `{}`: it is {what}", variable.name);
             notes.push(Wrong { at: variable.at.clone(), message });
         }
-        let value = initial(variable, kind, scope, notes).filter(|value| {
+        let value = initial(variable, kind, scope, notes);
+        // What keeps its value: the compiler wants to know the first one.
+        let first = match kind {
+            Kind::Enum(of) if matches!(role, Role::Output | Role::Var) => Some(scope.first(of)),
+            _ => None,
+        };
+        let value = value.or(first).filter(|value| {
             let nothing = matches!(&**value, "false" | "0" | "0s" | "0.0");
             role != Role::Input && (role == Role::Param || !nothing)
         });
@@ -78,7 +84,7 @@ pub(super) fn declared(
     let mut lines: Vec<String> = Vec::new();
     let mut open: Option<(Role, Kind)> = None;
     for (role, kind, value, variable) in all {
-        let name = scope.names.get(&variable.name).unwrap_or_default();
+        let name = scope.names.get(&variable.name).unwrap_or_default().to_owned();
         let note = note(variable);
         match (&value, lines.last_mut()) {
             (None, Some(last)) if open == Some((role, kind)) && note.is_empty() && last.len() < WIDTH - name.len() => {
@@ -88,12 +94,24 @@ pub(super) fn declared(
             _ => {
                 docs(&mut lines, &note, "        ///");
                 let init = value.as_ref().map(|value| format!(" = {value}")).unwrap_or_default();
-                lines.push(format!("        {} {name}: {}{init};", role.word(), kind.rust()));
+                lines.push(format!("        {} {name}: {}{init};", role.word(), typed(scope, role, kind)));
             }
         }
         open = (value.is_none() && note.is_empty()).then_some((role, kind));
     }
     lines
+}
+
+/// The type; the checker is told the variants of an enum.
+fn typed(scope: &mut Scope<'_>, role: Role, kind: Kind) -> String {
+    let name = scope.type_of(kind);
+    let Kind::Enum(of) = kind else { return name };
+    scope.used.insert(of);
+    if role == Role::Output {
+        return name;
+    }
+    let variants: Vec<&str> = scope.enums[of].values.iter().map(|(_, rust, _)| &**rust).collect();
+    format!("{name} in {{{}}}", variants.join(", "))
 }
 
 /// Variables whose type a chart does not have: instances of function blocks that are no code actions.
@@ -105,12 +123,17 @@ pub(super) fn left_out(
 ) -> Vec<Wrong> {
     let known = |variable: &&Variable| {
         let is_code = scope.names.get(&variable.name).is_some_and(|name| code.contains_key(name));
-        Kind::of(&variable.ty).is_some() || is_code || facts.instances.contains_key(&variable.name.to_lowercase())
+        let key = variable.name.to_lowercase();
+        let known =
+            scope.kinds.contains_key(&key) || facts.memory.contains_key(&key) || scope.counters.contains_key(&key);
+        known || is_code || facts.instances.contains_key(&key) || facts.written_out.contains(&key)
     };
     let others = pou.variables.iter().filter(|variable| !known(variable));
     let one = |variable: &Variable| {
-        let message =
-            format!("`{}` of type {} is left out: a chart has `bool`, `time` and numbers", variable.name, variable.ty);
+        let message = format!(
+            "`{}` of type {} is left out: a chart has `bool`, `time`, numbers and enums",
+            variable.name, variable.ty
+        );
         Wrong { at: variable.at.clone(), message }
     };
     others.map(one).collect()
@@ -128,6 +151,9 @@ fn initial(variable: &Variable, kind: Kind, scope: &mut Scope<'_>, notes: &mut V
     let text = variable.init.as_ref()?;
     let value = expression(text).map_err(|wrong| wrong.message).and_then(|value| match value {
         Expr::Bool(_) | Expr::Int(_) | Expr::Real(_) | Expr::Time(_) | Expr::Minus(_) => scope.rust(&value, Some(kind)),
+        Expr::Name(_) | Expr::Member(..) | Expr::Typed(..) if matches!(kind, Kind::Enum(_)) => {
+            scope.rust(&value, Some(kind))
+        }
         _ => Err("it is no literal".to_owned()),
     });
     value

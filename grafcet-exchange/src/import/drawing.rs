@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use roxmltree::Node;
 
 use super::Wrong;
+use super::codesys;
 use super::drawn;
 use super::source::{Block, Piece, Pou, Step, Transition, What};
 use super::xml::{
@@ -50,13 +51,21 @@ impl<'d> Chart<'d> {
         elements.sort_by_key(|element| place(*element));
         for element in &elements {
             match &*kind(*element) {
-                "step" => pou.steps.push(Step {
-                    name: attribute(*element, "name")?,
-                    at: head(*element),
-                    initial: element.attribute("initialStep") == Some("true"),
-                    note: note(*element),
-                    blocks: Vec::new(),
-                }),
+                "step" => {
+                    let step = codesys::step(
+                        *element,
+                        Step {
+                            name: attribute(*element, "name")?,
+                            at: head(*element),
+                            initial: element.attribute("initialStep") == Some("true"),
+                            note: note(*element),
+                            within: None,
+                            blocks: Vec::new(),
+                        },
+                        &mut pou.lost,
+                    );
+                    pou.steps.push(step);
+                }
                 "macroStep" => {
                     let name = element.attribute("name").unwrap_or_default();
                     pou.lost.push((head(*element), format!("the macro-step `{name}`: draw its steps in its place")));

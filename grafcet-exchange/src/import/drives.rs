@@ -7,6 +7,7 @@ use super::facts::{everywhere, variable};
 use super::parser::{Expr, Op, Statement, expression};
 use super::parts::conjunction;
 use super::source::{Block, Section, What, same};
+use super::walk::each;
 
 /// How one step drives a place: the rest of its condition, and the statement of its branch.
 type Driven<'e> = (&'e str, Vec<&'e Expr>, &'e Statement);
@@ -79,7 +80,6 @@ impl Actions<'_, '_> {
         for (step, rest, statement) in &driven {
             self.scope.active = vec![(*step).to_owned()];
             let what = match statement {
-                Statement::If(..) | Statement::Call(..) => return None,
                 Statement::Assign(..) if body.len() == 1 && matches!(body[0], Statement::Assign(..)) => place.clone(),
                 Statement::Assign(_, Expr::Bool(true)) if is_stored(body) => format!("S {place}"),
                 Statement::Assign(_, Expr::Bool(false)) if is_stored(body) => format!("R {place}"),
@@ -87,6 +87,7 @@ impl Actions<'_, '_> {
                     let kind = self.scope.kinds.get(&target.to_lowercase()).copied();
                     format!("{place} = {}", self.scope.rust(value, kind).ok()?)
                 }
+                _ => return None,
             };
             let rest =
                 rest.iter().map(|one| (*one).clone()).reduce(|a, b| Expr::Binary(Op::And, Box::new(a), Box::new(b)));
@@ -115,6 +116,7 @@ impl Actions<'_, '_> {
             Kind::Bool => Expr::Bool(false),
             Kind::Time => Expr::Time(0),
             Kind::Number(_) => Expr::Int(0),
+            Kind::Enum(_) => return None,
         };
         if *last != initial.unwrap_or(nothing) {
             return None;
@@ -187,11 +189,7 @@ fn is_stored(body: &[Statement]) -> bool {
 }
 
 fn writes(body: &[Statement], name: &str) -> bool {
-    body.iter().any(|statement| match statement {
-        Statement::Assign(target, _) => same(target, name),
-        Statement::Call(..) => false,
-        Statement::If(branches, otherwise) => {
-            branches.iter().any(|(_, then)| writes(then, name)) || writes(otherwise, name)
-        }
-    })
+    let mut found = false;
+    each(body, &mut |one| found |= super::facts::writes(one, name));
+    found
 }

@@ -3,9 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::names::Names;
-use super::parser::{Expr, Op, Statement};
+use super::parser::{Expr, Op};
 use super::parts::{Part, conjunction};
 use super::source::{Pou, same};
+use super::timers::Timed;
+use super::types::Enum;
 
 /// What a value is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -14,6 +16,8 @@ pub(super) enum Kind {
     /// By the name in Rust, floats among them.
     Number(&'static str),
     Time,
+    /// By its place among the enums of the file.
+    Enum(usize),
 }
 
 impl Kind {
@@ -35,14 +39,6 @@ impl Kind {
             _ => return None,
         })
     }
-
-    pub(super) fn rust(self) -> &'static str {
-        match self {
-            Self::Bool => "bool",
-            Self::Time => "time",
-            Self::Number(name) => name,
-        }
-    }
 }
 
 /// What stands in Rust for an instance of a standard function block.
@@ -52,6 +48,10 @@ pub(super) enum Instance {
     Falling(Expr),
     /// `TON`, by its time.
     Delayed(Expr, Expr),
+    /// `TON` that is called in some steps alone.
+    Timed(Vec<Timed>),
+    /// `TOF`, by its time.
+    Kept(Expr, Expr),
 }
 
 /// What names mean.
@@ -65,6 +65,11 @@ pub(super) struct Scope<'p> {
     pub(super) instances: BTreeMap<String, Instance>,
     /// All programs of the file, for functions that they call.
     pub(super) pous: &'p [Pou],
+    pub(super) enums: &'p [Enum],
+    /// By their places, those that the chart needs.
+    pub(super) used: BTreeSet<usize>,
+    /// Control variables of `FOR` that nothing else reads: they belong to their loop.
+    pub(super) counters: BTreeMap<String, Kind>,
     /// Functions that a person has to write, by name in small letters.
     pub(super) called: BTreeSet<String>,
     /// Active where the condition is asked.
@@ -76,29 +81,29 @@ pub(super) struct Scope<'p> {
 }
 
 /// How strongly operators of Rust hold together.
-mod strength {
-    pub(super) const NONE: u8 = 0;
-    pub(super) const OR: u8 = 1;
-    pub(super) const AND: u8 = 2;
-    pub(super) const COMPARE: u8 = 3;
-    pub(super) const BIT_OR: u8 = 4;
-    pub(super) const XOR: u8 = 5;
-    pub(super) const BIT_AND: u8 = 6;
-    pub(super) const SUM: u8 = 7;
-    pub(super) const PRODUCT: u8 = 8;
-    pub(super) const UNARY: u8 = 9;
-    pub(super) const WORD: u8 = 10;
+pub(super) mod strength {
+    pub(in crate::import) const NONE: u8 = 0;
+    pub(in crate::import) const OR: u8 = 1;
+    pub(in crate::import) const AND: u8 = 2;
+    pub(in crate::import) const COMPARE: u8 = 3;
+    pub(in crate::import) const BIT_OR: u8 = 4;
+    pub(in crate::import) const XOR: u8 = 5;
+    pub(in crate::import) const BIT_AND: u8 = 6;
+    pub(in crate::import) const SUM: u8 = 7;
+    pub(in crate::import) const PRODUCT: u8 = 8;
+    pub(in crate::import) const UNARY: u8 = 9;
+    pub(in crate::import) const WORD: u8 = 10;
 }
 
 /// Rust, and how strongly it holds together.
-struct Rust(String, u8);
+pub(super) struct Rust(pub(super) String, pub(super) u8);
 
 impl Rust {
-    fn word(text: impl Into<String>) -> Self {
+    pub(super) fn word(text: impl Into<String>) -> Self {
         Self(text.into(), strength::WORD)
     }
 
-    fn within(self, strength: u8) -> String {
+    pub(super) fn within(self, strength: u8) -> String {
         if self.1 < strength { format!("({})", self.0) } else { self.0 }
     }
 }
@@ -106,22 +111,41 @@ impl Rust {
 impl Scope<'_> {
     /// An expression in Rust, or what of it has no translation.
     pub(super) fn rust(&mut self, expr: &Expr, wanted: Option<Kind>) -> Result<String, String> {
-        Ok(self.expr(expr, wanted)?.0)
+        Ok(self.operand(expr, wanted)?.0)
     }
 
-    fn expr(&mut self, expr: &Expr, wanted: Option<Kind>) -> Result<Rust, String> {
+    pub(super) fn expr(&mut self, expr: &Expr, wanted: Option<Kind>) -> Result<Rust, String> {
         match expr {
             Expr::Bool(value) => Ok(Rust::word(value.to_string())),
             Expr::Int(value @ (0 | 1)) if wanted == Some(Kind::Bool) => Ok(Rust::word((*value == 1).to_string())),
+            Expr::Int(value) if matches!(wanted, Some(Kind::Enum(_))) => self.numbered(*value, wanted),
             Expr::Int(value) if matches!(wanted, Some(Kind::Number("f32" | "f64"))) => {
                 Ok(literal(&format!("{value}.0")))
             }
-            Expr::Int(value) => Ok(literal(&value.to_string())),
-            Expr::Real(value) => Ok(literal(value)),
+            Expr::Int(value) if wanted.is_none_or(|kind| fits(*value, kind)) => Ok(literal(&value.to_string())),
+            Expr::Real(value) if wanted.is_none_or(|kind| matches!(kind, Kind::Number("f32" | "f64"))) => {
+                Ok(literal(value))
+            }
+            Expr::Int(_) | Expr::Real(_) => {
+                let kind = wanted.map(|kind| self.type_of(kind)).unwrap_or_default();
+                Err(format!("a number that is no value of {kind}"))
+            }
             Expr::Time(nanos) => time(*nanos).map(Rust::word),
             Expr::Name(name) if self.kinds.contains_key(&name.to_lowercase()) => {
                 Ok(Rust::word(self.names.get(name).unwrap_or_default()))
             }
+            Expr::Name(name) if self.counters.contains_key(&name.to_lowercase()) => {
+                Ok(Rust::word(self.names.get(name).unwrap_or_default()))
+            }
+            Expr::Name(name) if self.listed(name, wanted).is_some() => {
+                let of = self.listed(name, wanted).unwrap_or_default();
+                self.variant(of, name)
+            }
+            Expr::Typed(ty, value) => match self.enums.iter().position(|one| same(&one.name, ty)) {
+                Some(of) => self.variant(of, value),
+                None => Err(format!("the type `{ty}` is not in this file")),
+            },
+            Expr::Bit(name, bit) => self.bit(name, *bit),
             Expr::Name(name) => {
                 self.plain.extend(Some(name.to_lowercase()).filter(|name| self.memory.contains_key(name)));
                 Err(format!("`{name}` is not declared as a value that Rust has"))
@@ -174,14 +198,14 @@ impl Scope<'_> {
                     self.differs.push(format!("`{step}.T` is zero here while the step is not active"));
                 }
                 let limit = self.rust(limit, Some(Kind::Time))?;
-                Ok(Rust(format!("{limit}/{}", self.names.get(step).unwrap_or_default()), strength::PRODUCT))
+                Ok(Rust(format!("{limit}/{}", self.names.get_step(step).unwrap_or_default()), strength::PRODUCT))
             }
         }
     }
 
     fn member(&mut self, of: &str, member: &str) -> Result<Rust, String> {
         if self.steps.contains(&of.to_lowercase()) {
-            let step = self.names.get(of).unwrap_or_default().to_owned();
+            let step = self.names.get_step(of).unwrap_or_default().to_owned();
             return match &*member.to_lowercase() {
                 "x" => Ok(Rust::word(format!("{step}.X"))),
                 "t" => {
@@ -200,8 +224,36 @@ impl Scope<'_> {
                 let of = self.expr(&of, Some(Kind::Bool))?.within(strength::UNARY);
                 Ok(Rust(format!("{}/{of}", self.rust(&limit, Some(Kind::Time))?), strength::PRODUCT))
             }
-            _ => Err(format!("`{of}.{member}` is a part of something that Rust does not have")),
+            Some(Instance::Timed(calls)) if same(member, "q") => self.timed(of, &calls),
+            Some(Instance::Kept(of, limit)) if same(member, "q") => {
+                let of = self.expr(&of, Some(Kind::Bool))?.within(strength::UNARY);
+                Ok(Rust(format!("0s/{of}/{}", self.rust(&limit, Some(Kind::Time))?), strength::PRODUCT))
+            }
+            _ => {
+                // What is kept of an instance that is written out.
+                let part = format!("{of}.{member}");
+                if self.kinds.contains_key(&part.to_lowercase()) {
+                    return Ok(Rust::word(self.names.get(&part).unwrap_or_default()));
+                }
+                if let Some(of) = self.enums.iter().position(|one| same(&one.name, of)) {
+                    return self.variant(of, member);
+                }
+                Err(format!("`{part}` is a part of something that Rust does not have"))
+            }
         }
+    }
+
+    /// `w.3`
+    fn bit(&mut self, name: &str, bit: i128) -> Result<Rust, String> {
+        let width = match self.kinds.get(&name.to_lowercase()) {
+            Some(Kind::Number(of)) => of.trim_start_matches(['u', 'i']).parse().unwrap_or(0),
+            _ => 0,
+        };
+        if !(0..width).contains(&bit) {
+            return Err(format!("`{name}` has no bit {bit}"));
+        }
+        let name = self.names.get(name).unwrap_or_default();
+        Ok(Rust(format!("{name} & (1 << {bit}) != 0"), strength::COMPARE))
     }
 
     /// Where it can be told.
@@ -209,26 +261,53 @@ impl Scope<'_> {
         match expr {
             Expr::Int(_) | Expr::Real(_) => None,
             Expr::Time(_) => Some(Kind::Time),
-            Expr::Name(name) => self.kinds.get(&name.to_lowercase()).copied(),
-            Expr::Member(_, member) => Some(if same(member, "t") { Kind::Time } else { Kind::Bool }),
+            Expr::Name(name) => {
+                let key = name.to_lowercase();
+                let known = self.kinds.get(&key).or_else(|| self.counters.get(&key)).copied();
+                known.or_else(|| self.listed(name, None).map(Kind::Enum))
+            }
+            Expr::Member(of, member) => {
+                if !self.steps.contains(&of.to_lowercase()) {
+                    let part = self.kinds.get(&format!("{of}.{member}").to_lowercase()).copied();
+                    if let Some(kind) = part.or_else(|| self.kind_of(of).filter(|kind| matches!(kind, Kind::Enum(_)))) {
+                        return Some(kind);
+                    }
+                }
+                Some(if same(member, "t") { Kind::Time } else { Kind::Bool })
+            }
+            Expr::Typed(of, _) => self.kind_of(of),
             Expr::Call(name, arguments) => {
                 let function = self.pous.iter().find(|pou| same(&pou.name, name));
-                let returned = function.and_then(|pou| Kind::of(pou.returns.as_deref()?));
-                returned.or_else(|| arguments.iter().find_map(|(_, argument)| self.kind(argument)))
+                let returned = function.and_then(|pou| self.kind_of(pou.returns.as_deref()?));
+                returned.or_else(|| self.returned(name, arguments))
             }
             Expr::Minus(inner) => self.kind(inner),
             Expr::Binary(Op::And | Op::Or | Op::Xor | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Mod, a, b) => {
-                self.kind(a).or_else(|| self.kind(b))
+                let (a, b) = (self.kind(a), self.kind(b));
+                self.common(a, b).unwrap_or(a)
             }
-            Expr::Bool(_) | Expr::Not(_) | Expr::Binary(..) => Some(Kind::Bool),
+            Expr::Not(inner) => Some(self.kind(inner).unwrap_or(Kind::Bool)),
+            Expr::Bool(_) | Expr::Bit(..) | Expr::Binary(..) => Some(Kind::Bool),
         }
     }
 
     fn binary(&mut self, op: Op, a: &Expr, b: &Expr, wanted: Option<Kind>) -> Result<Rust, String> {
         let (left, right) = (self.kind(a), self.kind(b));
         let compares = matches!(op, Op::Equal | Op::Differs | Op::Less | Op::AtMost | Op::More | Op::AtLeast);
-        let both = left.or(right);
+        let both = self.common(left, right)?;
         let bits = matches!(both, Some(Kind::Number(_)));
+        // `a = TRUE`
+        if let (Op::Equal | Op::Differs, of, Expr::Bool(value)) | (Op::Equal | Op::Differs, Expr::Bool(value), of) =
+            (op, a, b)
+        {
+            if (op == Op::Equal) == *value {
+                return self.expr(of, Some(Kind::Bool));
+            }
+            return self.expr(&Expr::Not(Box::new(of.clone())), Some(Kind::Bool));
+        }
+        if matches!(both, Some(Kind::Enum(_))) && !matches!(op, Op::Equal | Op::Differs) {
+            return Err("values of an enum are compared with `=` and `<>` alone".to_owned());
+        }
         let (sign, strength) = match op {
             Op::Or if bits => ("|", strength::BIT_OR),
             Op::And if bits => ("&", strength::BIT_AND),
@@ -247,114 +326,26 @@ impl Scope<'_> {
             Op::Div => ("/", strength::PRODUCT),
             Op::Mod => ("%", strength::PRODUCT),
         };
-        if let (Some(one), Some(other)) = (left, right) {
-            if one != other {
-                return Err(format!(
-                    "{} and {} are two types, and Rust would need to be told how one becomes the other",
-                    one.rust(),
-                    other.rust()
-                ));
-            }
-        }
         if !compares && both == Some(Kind::Time) {
             return Err("arithmetic of times".to_owned());
         }
         let kind = if compares { both } else { both.or(wanted) };
-        let left = self.expr(a, kind)?.within(if compares { strength + 1 } else { strength });
+        let left = self.operand(a, kind)?.within(if compares { strength + 1 } else { strength });
         let of_bool = matches!(op, Op::Or | Op::And | Op::Xor);
-        let right = self.expr(b, kind)?.within(if of_bool { strength } else { strength + 1 });
+        let right = self.operand(b, kind)?.within(if of_bool { strength } else { strength + 1 });
         Ok(Rust(format!("{left} {sign} {right}"), strength))
     }
-
-    fn call(&mut self, name: &str, arguments: &[(Option<String>, Expr)], wanted: Option<Kind>) -> Result<Rust, String> {
-        if let [(_, one), rest @ ..] = arguments {
-            let method = match (&*name.to_uppercase(), rest.len()) {
-                ("ABS", 0) => Some("abs"),
-                ("MIN", 1) => Some("min"),
-                ("MAX", 1) => Some("max"),
-                _ => None,
-            };
-            if let Some(method) = method {
-                let kind = self.kind(one).or(wanted);
-                let one = self.expr(one, kind)?.within(strength::WORD);
-                let rest: Vec<String> =
-                    rest.iter().map(|(_, other)| self.rust(other, kind)).collect::<Result<_, _>>()?;
-                return Ok(Rust::word(format!("{one}.{method}({})", rest.join(", "))));
-            }
-        }
-        let Some(function) = self.pous.iter().find(|pou| same(&pou.name, name) && pou.returns.is_some()) else {
-            return Err(format!("the function `{name}` is not in this file"));
-        };
-        let inputs: Vec<_> =
-            function.variables.iter().filter(|one| one.section == super::source::Section::Input).collect();
-        let mut given = Vec::new();
-        for (index, input) in inputs.iter().enumerate() {
-            let named = arguments.iter().find(|(name, _)| name.as_deref().is_some_and(|name| same(name, &input.name)));
-            let Some((_, argument)) = named.or_else(|| arguments.get(index).filter(|(name, _)| name.is_none())) else {
-                return Err(format!("`{name}` is called without `{}`", input.name));
-            };
-            given.push(self.rust(argument, Kind::of(&input.ty))?);
-        }
-        // What was Rust once is Rust again, if it still means the same.
-        let unchanged =
-            inputs.len() == given.len() && inputs.iter().zip(&given).all(|(input, given)| input.name == *given);
-        let rust =
-            written_in_rust(&function.body).filter(|rust| inputs.iter().all(|input| mentions(rust, &input.name)));
-        if let (true, Some(rust)) = (unchanged, rust) {
-            let is_word = !rust.contains(' ')
-                || rust.split_once('(').is_some_and(|(before, _)| !before.contains(' ') && rust.ends_with(')'));
-            return Ok(Rust(rust.to_owned(), if is_word { strength::WORD } else { strength::NONE }));
-        }
-        self.called.insert(name.to_lowercase());
-        if self.names.get(name).is_none() {
-            self.names.value(name);
-        }
-        Ok(Rust::word(format!("{}({})", self.names.get(name).unwrap_or_default(), given.join(", "))))
-    }
-
-    /// Statements of a block of Rust, one a line.
-    pub(super) fn block(&mut self, statements: &[Statement], depth: usize) -> Result<Vec<String>, String> {
-        let indent = "    ".repeat(depth);
-        let mut lines = Vec::new();
-        for statement in statements {
-            match statement {
-                Statement::Assign(target, value) => {
-                    let Some(kind) = self.kinds.get(&target.to_lowercase()).copied() else {
-                        return Err(format!("`{target}` is not declared as a value that Rust has"));
-                    };
-                    let value = self.rust(value, Some(kind))?;
-                    lines.push(format!("{indent}{} = {value};", self.names.get(target).unwrap_or_default()));
-                }
-                Statement::Call(name, _) => return Err(format!("`{name}(…)` among other statements")),
-                Statement::If(branches, otherwise) => {
-                    for (index, (condition, then)) in branches.iter().enumerate() {
-                        let condition = self.rust(condition, Some(Kind::Bool))?;
-                        let word = if index == 0 { format!("{indent}if") } else { format!("{indent}}} else if") };
-                        lines.push(format!("{word} {condition} {{"));
-                        lines.extend(self.block(then, depth + 1)?);
-                    }
-                    if !otherwise.is_empty() {
-                        lines.push(format!("{indent}}} else {{"));
-                        lines.extend(self.block(otherwise, depth + 1)?);
-                    }
-                    lines.push(format!("{indent}}}"));
-                }
-            }
-        }
-        Ok(lines)
-    }
 }
 
-/// What `cargo grafcet export` has written into a function that stands for Rust.
-fn written_in_rust(body: &str) -> Option<&str> {
-    let (_, rest) = body.split_once("TO BE WRITTEN, in Rust: ")?;
-    let line = rest.lines().next()?.trim();
-    Some(line.strip_suffix("*)").unwrap_or(line).trim())
-}
-
-/// As a word.
-fn mentions(rust: &str, name: &str) -> bool {
-    rust.split(|letter: char| !letter.is_alphanumeric() && letter != '_').any(|word| word == name)
+/// Whether an integer is a value of a type.
+pub(super) fn fits(value: i128, kind: Kind) -> bool {
+    let Kind::Number(name) = kind else { return false };
+    let Ok(width) = name[1..].parse::<u32>() else { return false };
+    match &name[..1] {
+        "i" => (-(1_i128 << (width - 1))..1_i128 << (width - 1)).contains(&value),
+        "u" => (0..1_i128 << width).contains(&value),
+        _ => true,
+    }
 }
 
 fn literal(text: &str) -> Rust {

@@ -23,9 +23,9 @@ pub(super) struct Lexed {
 }
 
 /// Two letters first.
-const SIGNS: [&str; 26] = [
-    ":=", "=>", "<>", "<=", ">=", "..", "**", ":", ";", ",", "(", ")", "[", "]", ".", "=", "<", ">", "+", "-", "*",
-    "/", "&", "#", "^", "@",
+const SIGNS: [&str; 28] = [
+    ":=", "=>", "<>", "!=", "==", "<=", ">=", "..", "**", ":", ";", ",", "(", ")", "[", "]", ".", "=", "<", ">", "+",
+    "-", "*", "/", "&", "#", "^", "@",
 ];
 
 /// `offset` is where the text begins in its file.
@@ -139,10 +139,22 @@ impl<'t> Lexer<'t> {
                 _ => Err(self.wrong(start, "this is no time that can be waited for, as `T#1m30s`")),
             };
         }
-        // `INT#5`, `BOOL#TRUE`: the type follows from what it stands beside.
+        // `INT#5`, `BOOL#TRUE`: the type follows from what it stands beside. Not so with the value of an enum, `Mode#Auto`.
         match self.rest().chars().next() {
             Some(next) if next.is_ascii_digit() => self.number(),
-            Some(next) if next.is_alphabetic() => self.word(),
+            Some('-') => {
+                self.at += 1;
+                match self.number()? {
+                    Token::Int(value) => Ok(Token::Int(-value)),
+                    Token::Real(value) => Ok(Token::Real(format!("-{value}"))),
+                    _ => Err(self.wrong(start, "this is no number")),
+                }
+            }
+            Some(next) if next.is_alphabetic() && word.eq_ignore_ascii_case("bool") => self.word(),
+            Some(next) if next.is_alphabetic() || next == '_' => {
+                let value = self.taken(|letter| letter.is_alphanumeric() || letter == '_');
+                Ok(Token::Word(format!("{word}#{value}")))
+            }
             _ => Err(self.wrong(start, format!("behind `{word}#` stands no value"))),
         }
     }

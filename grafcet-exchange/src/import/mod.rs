@@ -1,27 +1,38 @@
 //! From the notations of PLC tools to Rust source with charts in it.
 //!
-//! - `source`: a chart as it stands in a file; `textual` and `xml` read it there, with `lexer` and `parser` for structured text, `drawing` for what
+//! - `source`: a chart as it stands in a file; `textual` and `xml` read it there, with `lexer`, `parser` and `statement` for structured text, `drawing` (and `codesys`) for what
 //!   is connected with what, and `drawn` for networks that are a condition
 //! - `names`: names that Rust takes
-//! - `expr`, `parts`: conditions, values and statements in Rust
+//! - `types`, `enums`: enums that a file declares, and their values
+//! - `expr`, `parts`, `functions`, `block`: conditions, values, functions and statements in Rust
+//! - `blocks`: standard function blocks that are written out; `timers`: those of some steps alone; `walk`: what statements read and write
 //! - `facts`: what the variables of a program are: who writes them, which of them only remember what was before
 //! - `actions`, `drives`: what steps do, as a person would have written it
 //! - `rust`, `declare`: a chart as source
 
 mod actions;
+mod block;
+mod blocks;
+mod codesys;
 mod declare;
 mod drawing;
 mod drawn;
 mod drives;
+mod enums;
 mod expr;
 mod facts;
+mod functions;
 mod lexer;
 mod names;
 mod parser;
 mod parts;
 mod rust;
 mod source;
+mod statement;
 mod textual;
+mod timers;
+mod types;
+mod walk;
 mod xml;
 
 use std::fmt;
@@ -75,7 +86,12 @@ pub struct Chart {
 /// The file is none of either notation, or there is no SFC in it.
 pub fn import(text: &str, file: &str) -> Result<Imported, Wrong> {
     let begin = text.trim_start_matches('\u{feff}').trim_start();
-    let mut pous = if begin.starts_with('<') { xml::pous(text)? } else { textual::pous(text)? };
+    if let Some(wrong) = elsewhere(text) {
+        return Err(wrong);
+    }
+    let (mut pous, types) =
+        if begin.starts_with('<') { (xml::pous(text)?, types::of_xml(text)) } else { textual::pous(text)? };
+    types::settle(&mut pous, types)?;
     // That a file says how it is called is no news in another one.
     for pou in &mut pous {
         pou.notes.retain(|line| line != file);
@@ -92,4 +108,20 @@ pub fn import(text: &str, file: &str) -> Result<Imported, Wrong> {
         return Err(Wrong { at, message: format!("there is {what} in this file: no step") });
     }
     Ok(Imported { rust: rust::file(file, &charts, &sources), charts })
+}
+
+/// Files in which tools keep their projects, whose drawings nobody else reads.
+fn elsewhere(text: &str) -> Option<Wrong> {
+    const ROOTS: [(&str, &str); 3] = [
+        ("TcPlcObject", "a POU as TwinCAT keeps it; export it as PLCopen XML (in the context menu of the PLC project)"),
+        ("ExportFile", "an export of CODESYS in its own format; export it as PLCopen XML (Project, Export PLCopenXML)"),
+        ("RSLogix5000Content", "a project of Logix Designer, which writes no PLCopen XML: its SFC is not read"),
+    ];
+    let begin = text.find(|letter: char| !letter.is_whitespace() && letter != '\u{feff}')?;
+    let root = text.match_indices('<').find(|(at, _)| !text[at + 1..].starts_with(['?', '!']))?.0;
+    if !text[begin..].starts_with('<') {
+        return None;
+    }
+    let (name, what) = ROOTS.into_iter().find(|(name, _)| text[root + 1..].starts_with(name))?;
+    Some(Wrong { at: root..root + 1 + name.len(), message: format!("this is {what}") })
 }

@@ -13,6 +13,10 @@ pub(super) struct Names {
     taken: BTreeSet<String>,
     /// By the name in the file, in small letters, which it does not tell apart.
     given: BTreeMap<String, String>,
+    /// The same of steps, which in some tools may be called as a variable is.
+    steps: BTreeMap<String, String>,
+    /// And of actions that are stubs.
+    actions: BTreeMap<String, String>,
     /// In the order in which they were given.
     pub(super) renamed: Vec<(String, String)>,
 }
@@ -24,13 +28,25 @@ impl Names {
 
     /// Of an input, an output, a variable, an action or a function.
     pub(super) fn value(&mut self, name: &str) -> String {
-        let wanted = snake(name);
-        self.give(name, &wanted, "_")
+        let given = self.give(name, &snake(name), "_");
+        self.given.insert(name.to_lowercase(), given.clone());
+        given
+    }
+
+    /// Of an action, always the same.
+    pub(super) fn action(&mut self, name: &str) -> String {
+        if let Some(given) = self.actions.get(&name.to_lowercase()) {
+            return given.clone();
+        }
+        let given = self.give(name, &snake(name), "_");
+        self.actions.insert(name.to_lowercase(), given.clone());
+        given
     }
 
     pub(super) fn step(&mut self, name: &str) -> String {
-        let wanted = camel(name);
-        self.give(name, &wanted, "Step")
+        let given = self.give(name, &camel(name), "Step");
+        self.steps.insert(name.to_lowercase(), given.clone());
+        given
     }
 
     fn give(&mut self, name: &str, wanted: &str, ending: &str) -> String {
@@ -45,14 +61,17 @@ impl Names {
             given = if ending == "_" { format!("{wanted}_{number}") } else { format!("{wanted}{number}") };
             number += 1;
         }
-        self.given.insert(name.to_lowercase(), given.clone());
         if given != name {
             self.renamed.push((name.to_owned(), given.clone()));
         }
         given
     }
 
-    /// The name that it has here.
+    pub(super) fn get_step(&self, name: &str) -> Option<&str> {
+        self.steps.get(&name.to_lowercase()).map(String::as_str)
+    }
+
+    /// The name that it has here; that of a step is another one.
     pub(super) fn get(&self, name: &str) -> Option<&str> {
         self.given.get(&name.to_lowercase()).map(String::as_str)
     }
@@ -91,8 +110,11 @@ fn named(text: &str, letter: char) -> String {
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut before = '_';
-    for letter in name.chars() {
-        let begins = letter.is_ascii_uppercase() && before.is_ascii_lowercase();
+    let mut letters = name.chars().peekable();
+    while let Some(letter) = letters.next() {
+        // `SFCInit`, `Pusher1MovedOut`
+        let ends = before.is_ascii_uppercase() && letters.peek().is_some_and(char::is_ascii_lowercase);
+        let begins = letter.is_ascii_uppercase() && (before.is_ascii_lowercase() || before.is_ascii_digit() || ends);
         if begins || !letter.is_ascii_alphanumeric() {
             words.push(String::new());
         }
@@ -112,8 +134,9 @@ mod tests {
     #[test]
     fn words_of_names() {
         assert_eq!(
-            ["on", "SWITCH_BUTTON", "SwitchButton", "xStart", "q1", "_a__b", "größe"].map(snake),
-            ["on", "switch_button", "switch_button", "x_start", "q1", "a_b", "gr_e"]
+            ["on", "SWITCH_BUTTON", "SwitchButton", "xStart", "q1", "_a__b", "größe", "SFCInit", "Pusher1MovedOut"]
+                .map(snake),
+            ["on", "switch_button", "switch_button", "x_start", "q1", "a_b", "gr_e", "sfc_init", "pusher1_moved_out"]
         );
         assert_eq!(
             ["Off", "ORANGE", "step_1", "S1", "OnStep", "fillAndHeat", "A", "1st"].map(camel),
@@ -126,7 +149,9 @@ mod tests {
         let mut names = Names::new();
         assert_eq!(["in", "In", "q"].map(|name| names.value(name)), ["in_", "in__2", "q"]);
         assert_eq!(["S", "Off", "OFF"].map(|name| names.step(name)), ["SStep", "Off", "Off2"]);
-        assert_eq!(names.get("off"), Some("Off2"));
-        assert_eq!(names.renamed.len(), 4);
+        assert_eq!((names.get_step("off"), names.get("off")), (Some("Off2"), None));
+        // A variable that is called as a step.
+        assert_eq!((names.value("OFF"), names.get_step("Off")), ("off".to_owned(), Some("Off2")));
+        assert_eq!(names.renamed.len(), 5);
     }
 }

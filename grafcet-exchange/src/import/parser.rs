@@ -12,9 +12,13 @@ pub(super) enum Expr {
     /// In nanoseconds.
     Time(u64),
     Name(String),
-    /// `step.X`
+    /// `step.X`, and the value of an enum, `Mode.Auto`
     Member(String, String),
-    Call(String, Vec<(Option<String>, Expr)>),
+    /// A bit of a word, `w.3`
+    Bit(String, i128),
+    /// `Mode#Auto`
+    Typed(String, String),
+    Call(String, Arguments),
     Not(Box<Expr>),
     Minus(Box<Expr>),
     Binary(Op, Box<Expr>, Box<Expr>),
@@ -38,12 +42,60 @@ pub(super) enum Op {
     Mod,
 }
 
+/// What an arm of `CASE` stands for.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Label {
+    One(Expr),
+    /// With both ends.
+    Range(Expr, Expr),
+}
+
+/// Of a call: by name, or by place.
+pub(super) type Arguments = Vec<(Option<String>, Expr)>;
+
+/// An arm of `CASE`.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Arm {
+    pub(super) labels: Vec<Label>,
+    pub(super) body: Vec<Statement>,
+}
+
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Statement {
     Assign(String, Expr),
     /// Of a function block.
-    Call(String, Vec<(Option<String>, Expr)>),
+    Call(String, Arguments),
     If(Vec<(Expr, Vec<Statement>)>, Vec<Statement>),
+    /// The last body is that of `ELSE`.
+    Case(Expr, Vec<Arm>, Vec<Statement>),
+    /// A variable, its first and its last value, and what it is counted by.
+    For(String, [Expr; 2], Option<Expr>, Vec<Statement>),
+    While(Expr, Vec<Statement>),
+    /// With the condition that ends it.
+    Repeat(Vec<Statement>, Expr),
+    Exit,
+    Continue,
+}
+
+impl Statement {
+    pub(super) fn bodies_mut(&mut self) -> Vec<&mut Vec<Statement>> {
+        match self {
+            Self::Assign(..) | Self::Call(..) | Self::Exit | Self::Continue => Vec::new(),
+            Self::If(branches, otherwise) => branches.iter_mut().map(|(_, then)| then).chain([otherwise]).collect(),
+            Self::Case(_, arms, otherwise) => arms.iter_mut().map(|arm| &mut arm.body).chain([otherwise]).collect(),
+            Self::For(.., body) | Self::While(_, body) | Self::Repeat(body, _) => vec![body],
+        }
+    }
+
+    /// The bodies in it.
+    pub(super) fn bodies(&self) -> Vec<&Vec<Statement>> {
+        match self {
+            Self::Assign(..) | Self::Call(..) | Self::Exit | Self::Continue => Vec::new(),
+            Self::If(branches, otherwise) => branches.iter().map(|(_, then)| then).chain([otherwise]).collect(),
+            Self::Case(_, arms, otherwise) => arms.iter().map(|arm| &arm.body).chain([otherwise]).collect(),
+            Self::For(.., body) | Self::While(_, body) | Self::Repeat(body, _) => vec![body],
+        }
+    }
 }
 
 /// From weak to strong.
@@ -51,14 +103,14 @@ const LEVELS: [&[(&str, Op)]; 7] = [
     &[("or", Op::Or)],
     &[("xor", Op::Xor)],
     &[("and", Op::And), ("&", Op::And)],
-    &[("=", Op::Equal), ("<>", Op::Differs)],
+    &[("=", Op::Equal), ("<>", Op::Differs), ("==", Op::Equal), ("!=", Op::Differs)],
     &[("<", Op::Less), ("<=", Op::AtMost), (">", Op::More), (">=", Op::AtLeast)],
     &[("+", Op::Add), ("-", Op::Sub)],
     &[("*", Op::Mul), ("/", Op::Div), ("mod", Op::Mod)],
 ];
 
 /// Nothing that people write is nested so deep.
-const DEEPEST: usize = 100;
+pub(super) const DEEPEST: usize = 100;
 
 /// An expression, with or without what ends a statement behind it.
 pub(super) fn expression(text: &Piece) -> Result<Expr, Wrong> {
@@ -84,7 +136,7 @@ pub(super) fn statements(text: &Piece) -> Result<Vec<Statement>, Wrong> {
 pub(super) struct Cursor<'t> {
     tokens: &'t [(Token, Span)],
     pub(super) at: usize,
-    depth: usize,
+    pub(super) depth: usize,
     /// Of all of it, where there is no token.
     whole: Span,
 }
@@ -230,75 +282,75 @@ impl<'t> Cursor<'t> {
             return Ok(Expr::Call(name, self.arguments()?));
         }
         if self.sign(".") {
+            if let Some(Token::Int(bit)) = self.peek() {
+                self.at += 1;
+                return Ok(Expr::Bit(name, *bit));
+            }
             return Ok(Expr::Member(name, self.name()?));
         }
-        Ok(Expr::Name(name))
+        Ok(match name.split_once('#') {
+            Some((ty, value)) => Expr::Typed(ty.to_owned(), value.to_owned()),
+            None => Expr::Name(name),
+        })
     }
 
     /// Behind the parenthesis.
-    fn arguments(&mut self) -> Result<Vec<(Option<String>, Expr)>, Wrong> {
-        let mut arguments = Vec::new();
+    fn arguments(&mut self) -> Result<Arguments, Wrong> {
+        let at = self.here();
+        let (arguments, outputs) = self.arguments_and_outputs()?;
+        if outputs.is_empty() {
+            return Ok(arguments);
+        }
+        Err(Wrong { at, message: "what a call writes with `=>` within an expression is not translated".to_owned() })
+    }
+
+    /// The same, and by the name of an output what it is written to.
+    pub(super) fn arguments_and_outputs(&mut self) -> Result<(Arguments, Vec<(String, String)>), Wrong> {
+        let (mut arguments, mut outputs) = (Vec::new(), Vec::new());
         while !self.sign(")") {
-            let named = matches!(self.tokens.get(self.at + 1), Some((Token::Sign(":="), _)));
-            let name = if named {
+            let next = self.tokens.get(self.at + 1).map(|(token, _)| token);
+            if next == Some(&Token::Sign("=>")) {
                 let name = self.name()?;
-                self.need(":=")?;
-                Some(name)
+                self.need("=>")?;
+                // An output that is not connected.
+                if !matches!(self.peek(), Some(Token::Sign("," | ")"))) {
+                    outputs.push((name, self.name()?));
+                }
             } else {
-                None
-            };
-            arguments.push((name, self.expr()?));
+                let named = next == Some(&Token::Sign(":="));
+                let name = if named {
+                    let name = self.name()?;
+                    self.need(":=")?;
+                    Some(name)
+                } else {
+                    None
+                };
+                arguments.push((name, self.expr()?));
+            }
             if !self.sign(",") {
                 self.need(")")?;
                 break;
             }
         }
-        Ok(arguments)
+        Ok((arguments, outputs))
     }
 
-    pub(super) fn statements(&mut self) -> Result<Vec<Statement>, Wrong> {
-        let mut statements = Vec::new();
+    /// Whether an arm of `CASE` begins here: `1, 3..5:`, `Mode.Auto:`.
+    pub(super) fn is_label(&self) -> bool {
+        let token = |at: usize| self.tokens.get(at).map(|(token, _)| token);
+        let sign = |at: usize, sign: &'static str| token(at) == Some(&Token::Sign(sign));
+        let mut at = self.at;
         loop {
-            while self.sign(";") {}
-            let ends = ["elsif", "else", "end_if"].iter().any(|word| self.is_word(word));
-            if ends || self.peek().is_none() {
-                return Ok(statements);
+            at += usize::from(sign(at, "-"));
+            match token(at) {
+                Some(Token::Word(_)) if sign(at + 1, ".") => at += 3,
+                Some(Token::Word(_) | Token::Int(_)) => at += 1,
+                _ => return false,
             }
-            statements.push(self.statement()?);
-        }
-    }
-
-    fn statement(&mut self) -> Result<Statement, Wrong> {
-        const OTHERS: [&str; 7] = ["CASE", "FOR", "WHILE", "REPEAT", "RETURN", "EXIT", "CONTINUE"];
-        if self.word("if") {
-            self.depth += 1;
-            if self.depth > DEEPEST {
-                return self.wrong("statements that are nested less deep");
+            if !sign(at, ",") && !sign(at, "..") {
+                return sign(at, ":");
             }
-            let mut branches = Vec::new();
-            loop {
-                let condition = self.expr()?;
-                self.need_word("then")?;
-                branches.push((condition, self.statements()?));
-                if !self.word("elsif") {
-                    break;
-                }
-            }
-            let otherwise = if self.word("else") { self.statements()? } else { Vec::new() };
-            self.need_word("end_if")?;
-            self.depth -= 1;
-            return Ok(Statement::If(branches, otherwise));
+            at += 1;
         }
-        if let Some(word) = OTHERS.into_iter().find(|word| self.is_word(word)) {
-            return Err(Wrong { at: self.here(), message: format!("`{word}` is not translated") });
-        }
-        let name = self.name()?;
-        if self.sign("(") {
-            return Ok(Statement::Call(name, self.arguments()?));
-        }
-        if !self.sign(":=") {
-            return self.wrong("`:=`, or a call: other statements are not translated");
-        }
-        Ok(Statement::Assign(name, self.expr()?))
     }
 }

@@ -8,7 +8,8 @@ use super::expr::{Kind, Scope};
 use super::facts::{Facts, action};
 use super::names::{Names, camel};
 use super::parser::expression;
-use super::source::{Block, Pou, Section, Step, Transition, What, same};
+use super::source::{Action, Block, Pou, Section, Step, Transition, What, same};
+use super::types::Enum;
 use super::{Chart, Wrong};
 
 /// No line of a chain is longer, if it can be.
@@ -18,6 +19,8 @@ pub(super) const WIDTH: usize = 110;
 pub(super) struct Source {
     chart: Vec<String>,
     functions: Vec<String>,
+    /// By their places in the file, enums that the chart needs.
+    enums: BTreeMap<usize, Vec<String>>,
 }
 
 /// A program as a chart. `pous` are all of its file.
@@ -58,8 +61,13 @@ fn without_scan_step(pou: &Pou) -> Pou {
 /// The same, and what was taken for the memory of an edge, and is none.
 fn attempt(pou: &Pou, pous: &[Pou], plain: &BTreeSet<String>) -> (Chart, Source, BTreeSet<String>) {
     let facts = Facts::of(pou, plain);
+    let mut pou = pou.clone();
+    pou.variables.extend(facts.added.iter().cloned());
+    let pou = &pou;
     let mut notes: Vec<Wrong> =
         pou.lost.iter().map(|(at, what)| Wrong { at: at.clone(), message: format!("left out: {what}") }).collect();
+    notes.extend(unused(pou, &facts));
+    notes.extend(facts.differs.iter().map(|(at, message)| Wrong { at: at.clone(), message: message.clone() }));
     let mut scope = scope(pou, pous, &facts);
     let mut actions = Actions::new(pou, &facts, &mut scope);
     let bodies: Vec<Vec<String>> = (0..pou.steps.len()).map(|number| actions.of_step(number)).collect();
@@ -69,6 +77,7 @@ fn attempt(pou: &Pou, pous: &[Pou], plain: &BTreeSet<String>) -> (Chart, Source,
     let written = facts.written(&stubs);
     let declared = declared(pou, &facts, (&written, &mut scope), &mut notes);
     notes.extend(left_out(pou, &facts, &scope, &code));
+    let within: Vec<Option<String>> = pou.steps.iter().map(|step| longest(step, &mut scope, &mut notes)).collect();
     let mut functions = Vec::new();
     let conditions = conditions(pou, &mut scope, &mut notes, &mut functions);
     functions.extend(called(&scope));
@@ -86,17 +95,35 @@ fn attempt(pou: &Pou, pous: &[Pou], plain: &BTreeSet<String>) -> (Chart, Source,
         lines.push(format!("        action {name}({parameters});"));
     }
     lines.push(String::new());
-    steps(pou, &scope, &bodies, &mut lines);
+    steps(pou, &scope, (&bodies, &within), &mut lines);
     lines.push(String::new());
     chains(pou, &scope, &conditions, &mut lines);
     lines.push("    }".to_owned());
+    let used: BTreeMap<usize, &Enum> = scope.used.iter().map(|of| (*of, &scope.enums[*of])).collect();
     let mut renamed = scope.names.renamed;
+    renamed.extend(used.values().flat_map(|one| one.renamed()));
+    let enums = used.into_iter().map(|(of, one)| (of, one.lines())).collect();
     if name != pou.name {
         renamed.insert(0, (pou.name.clone(), name.clone()));
     }
     notes.sort_by_key(|note| note.at.start);
     notes.dedup();
-    (Chart { name, renamed, notes }, Source { chart: lines, functions }, scope.plain)
+    (Chart { name, renamed, notes }, Source { chart: lines, functions, enums }, scope.plain)
+}
+
+/// Actions that belong to no step, and that none calls.
+fn unused(pou: &Pou, facts: &Facts) -> Vec<Wrong> {
+    let at_step = |name: &str| {
+        let blocks = pou.steps.iter().flat_map(|step| &step.blocks);
+        blocks.into_iter().any(|block| matches!(&block.what, What::Named(other) if same(other, name)))
+    };
+    let unused =
+        pou.actions.iter().filter(|one| !at_step(&one.name) && !facts.called.contains(&one.name.to_lowercase()));
+    let note = |one: &Action| Wrong {
+        at: one.body.at.clone(),
+        message: format!("left out: the action `{}`, which belongs to no step", one.name),
+    };
+    unused.map(note).collect()
 }
 
 /// Transitions lead from steps to steps, and each step is there once.
@@ -118,9 +145,14 @@ fn checked(pou: &Pou) -> Result<(), Wrong> {
 
 fn scope<'p>(pou: &Pou, pous: &'p [Pou], facts: &Facts) -> Scope<'p> {
     let mut names = Names::new();
-    let mut kinds = BTreeMap::new();
+    let (mut kinds, mut counters) = (BTreeMap::new(), BTreeMap::new());
     for variable in pou.variables.iter().filter(|variable| !facts.memory.contains_key(&variable.name.to_lowercase())) {
-        let Some(kind) = Kind::of(&variable.ty) else { continue };
+        let Some(kind) = pou.kind(&variable.ty) else { continue };
+        if facts.counters.contains(&variable.name.to_lowercase()) {
+            counters.insert(variable.name.to_lowercase(), kind);
+            names.value(&variable.name);
+            continue;
+        }
         if kinds.insert(variable.name.to_lowercase(), kind).is_none() {
             names.value(&variable.name);
         }
@@ -135,6 +167,9 @@ fn scope<'p>(pou: &Pou, pous: &'p [Pou], facts: &Facts) -> Scope<'p> {
         memory: facts.memory.clone(),
         instances: facts.instances.clone(),
         pous,
+        enums: pous.first().map(|pou| &pou.enums[..]).unwrap_or_default(),
+        used: BTreeSet::new(),
+        counters,
         called: BTreeSet::new(),
         active: Vec::new(),
         plain: BTreeSet::new(),
@@ -201,12 +236,11 @@ fn called(scope: &Scope<'_>) -> Vec<String> {
                 format!(
                     "_{}: {}",
                     names.value(&input.name),
-                    Kind::of(&input.ty).map_or("()", Kind::rust).replace("time", "grafcet::Ticks")
+                    outside(scope, &input.ty).unwrap_or_else(|| "()".to_owned())
                 )
             })
             .collect();
-        let returns =
-            pou.returns.as_deref().and_then(Kind::of).map_or("bool", Kind::rust).replace("time", "grafcet::Ticks");
+        let returns = pou.returns.as_deref().and_then(|ty| outside(scope, ty)).unwrap_or_else(|| "bool".to_owned());
         let name = scope.names.get(&pou.name).unwrap_or_default();
         let mut lines = vec![format!("/// To be written: the function `{}`, which was", pou.name)];
         docs(&mut lines, &original(&pou.body), "///");
@@ -220,8 +254,28 @@ fn called(scope: &Scope<'_>) -> Vec<String> {
     functions.map(one).collect()
 }
 
-fn steps(pou: &Pou, scope: &Scope<'_>, bodies: &[Vec<String>], lines: &mut Vec<String>) {
-    for (step, body) in pou.steps.iter().zip(bodies) {
+/// A type as a function outside of the chart has it.
+fn outside(scope: &Scope<'_>, ty: &str) -> Option<String> {
+    Some(match scope.kind_of(ty)? {
+        Kind::Time => "grafcet::Ticks".to_owned(),
+        kind => scope.type_of(kind),
+    })
+}
+
+/// The longest time that a step may take.
+fn longest(step: &Step, scope: &mut Scope<'_>, notes: &mut Vec<Wrong>) -> Option<String> {
+    let text = step.within.as_ref()?;
+    let time = expression(text).map_err(|wrong| wrong.message);
+    let time = time.and_then(|time| scope.rust(&time, Some(Kind::Time)));
+    let wrong = |why| {
+        let message = format!("left out: that `{}` takes {} at most: {why}", step.name, text.text);
+        notes.push(Wrong { at: text.at.clone(), message });
+    };
+    time.map_err(wrong).ok()
+}
+
+fn steps(pou: &Pou, scope: &Scope<'_>, (bodies, within): (&[Vec<String>], &[Option<String>]), lines: &mut Vec<String>) {
+    for (index, (step, body)) in pou.steps.iter().zip(bodies).enumerate() {
         if !step.note.is_empty() {
             docs(lines, std::slice::from_ref(&step.note), "        ///");
         }
@@ -232,8 +286,12 @@ fn steps(pou: &Pou, scope: &Scope<'_>, bodies: &[Vec<String>], lines: &mut Vec<S
             (false, true) => "step",
             (false, false) => "final step",
         };
-        let name = scope.names.get(&step.name).unwrap_or_default();
+        let name = scope.names.get_step(&step.name).unwrap_or_default();
         let one = body.join(" ");
+        let name = within
+            .get(index)
+            .and_then(|within| within.as_ref())
+            .map_or_else(|| name.to_owned(), |within| format!("{name} within {within}"));
         if body.is_empty() {
             lines.push(format!("        {word} {name};"));
         } else if one.len() < 70
@@ -290,7 +348,7 @@ fn label(transition: &Transition) -> String {
 }
 
 fn named(scope: &Scope<'_>, steps: &[String]) -> String {
-    let names: Vec<&str> = steps.iter().map(|step| scope.names.get(step).unwrap_or_default()).collect();
+    let names: Vec<&str> = steps.iter().map(|step| scope.names.get_step(step).unwrap_or_default()).collect();
     if let [one] = names[..] { one.to_owned() } else { format!("({})", names.join(", ")) }
 }
 
@@ -323,6 +381,11 @@ pub(super) fn file(from: &str, charts: &[Chart], sources: &[Source]) -> String {
         }
     }
     lines.extend([String::new(), "use grafcet::grafcet;".to_owned()]);
+    let enums: BTreeMap<&usize, &Vec<String>> = sources.iter().flat_map(|source| &source.enums).collect();
+    for one in enums.into_values() {
+        lines.push(String::new());
+        lines.extend(one.iter().cloned());
+    }
     let mut functions = BTreeSet::new();
     for source in sources {
         lines.extend([String::new(), "grafcet! {".to_owned()]);

@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+use super::expr::Kind;
+use super::types::Enum;
+
 /// Bytes of the file.
 pub(super) type Span = Range<usize>;
 
@@ -22,6 +25,15 @@ pub(super) struct Pou {
     pub(super) body: String,
     /// What stands there and has no place in a chart: what it is.
     pub(super) lost: Vec<(Span, String)>,
+    /// All of the file.
+    pub(super) enums: Vec<Enum>,
+}
+
+impl Pou {
+    /// What a value of a type is.
+    pub(super) fn kind(&self, ty: &str) -> Option<Kind> {
+        Kind::of(ty).or_else(|| self.enums.iter().position(|one| same(&one.name, ty)).map(Kind::Enum))
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -61,6 +73,8 @@ pub(super) struct Step {
     pub(super) at: Span,
     pub(super) initial: bool,
     pub(super) note: String,
+    /// The longest time that it may take.
+    pub(super) within: Option<Piece>,
     pub(super) blocks: Vec<Block>,
 }
 

@@ -4,11 +4,13 @@ use super::Wrong;
 use super::lexer::{Lexed, Token, lex};
 use super::parser::Cursor;
 use super::source::{Action, Block, Piece, Pou, Section, Span, Step, Transition, Variable, What};
+use super::types::{self, Type};
 
-/// Every program, function block and function of a file.
-pub(super) fn pous(text: &str) -> Result<Vec<Pou>, Wrong> {
+/// Every program, function block and function of a file, and its types.
+pub(super) fn pous(text: &str) -> Result<(Vec<Pou>, Vec<Type>), Wrong> {
     let lexed = lex(text, 0)?;
-    let mut reader = Reader { text, cursor: Cursor::new(&lexed, 0..text.len()), heads: Vec::new(), ends: Vec::new() };
+    let cursor = Cursor::new(&lexed, 0..text.len());
+    let mut reader = Reader { text, cursor, heads: Vec::new(), ends: Vec::new(), types: Vec::new() };
     let mut pous = Vec::new();
     while reader.cursor.peek().is_some() {
         if reader.others() {
@@ -18,9 +20,9 @@ pub(super) fn pous(text: &str) -> Result<Vec<Pou>, Wrong> {
         reader.ends.push(reader.cursor.before().end);
         pous.push(pou);
     }
-    let Reader { heads, ends, .. } = reader;
+    let Reader { heads, ends, types, .. } = reader;
     comments(text, &lexed, (&heads, &ends), &mut pous);
-    Ok(pous)
+    Ok((pous, types))
 }
 
 struct Reader<'t> {
@@ -30,6 +32,7 @@ struct Reader<'t> {
     heads: Vec<(Span, Item)>,
     /// Of each program.
     ends: Vec<usize>,
+    types: Vec<Type>,
 }
 
 /// By number, in the program of that number.
@@ -46,9 +49,13 @@ const KINDS: [(&str, &str); 3] =
     [("program", "end_program"), ("function_block", "end_function_block"), ("function", "end_function")];
 
 impl Reader<'_> {
-    /// What stands beside programs: types, configurations, global variables.
+    /// What stands beside programs: types, which are kept, configurations and global variables.
     fn others(&mut self) -> bool {
-        let all = [("type", "end_type"), ("configuration", "end_configuration"), ("var_global", "end_var")];
+        if self.cursor.word("type") {
+            self.types.extend(types::textual(&mut self.cursor, self.text));
+            return true;
+        }
+        let all = [("configuration", "end_configuration"), ("var_global", "end_var")];
         let Some((_, end)) = all.into_iter().find(|(word, _)| self.cursor.word(word)) else { return false };
         while self.cursor.peek().is_some() && !self.cursor.word(end) {
             self.cursor.at += 1;
@@ -99,7 +106,8 @@ impl Reader<'_> {
             pou.transitions.push(transition);
         } else if self.cursor.word("action") {
             let name = self.cursor.name()?;
-            self.cursor.need(":")?;
+            // Some write no colon.
+            self.cursor.sign(":");
             self.heads.push((start..self.cursor.before().end, Item::Action(pou.actions.len())));
             let body = self.until("end_action")?;
             pou.actions.push(Action { name, note: String::new(), body });
@@ -210,7 +218,7 @@ impl Reader<'_> {
             self.cursor.need(";")?;
             blocks.push(Block { at, qualifier, time, what });
         }
-        Ok(Step { name, at, initial, note: String::new(), blocks })
+        Ok(Step { name, at, initial, note: String::new(), within: None, blocks })
     }
 
     fn steps(&mut self) -> Result<Vec<String>, Wrong> {

@@ -42,12 +42,10 @@ fn what_leads_to_one_state_from_all_others_is_no_question() {
     let state = program.place(Role::State(1)).expect("a region");
     let [one, other] = program.regions[1][..] else { panic!("two steps") };
     let arm = |from, to| (vec![Value::Step(from)], vec![Statement::Set(state, Expr::Value(Value::Step(to)))]);
-    let (from_one, from_none) = (|| arm(Some(one), Some(other)), || arm(None, Some(other)));
-    for (arms, asked) in [
-        (vec![from_one(), from_none()], false),
-        (vec![from_one()], true),
-        (vec![from_one(), arm(None, Some(one))], true),
-    ] {
+    let (named, empty) = (|| arm(Some(one), Some(other)), || arm(None, Some(other)));
+    for (arms, asked) in
+        [(vec![named(), empty()], false), (vec![named()], true), (vec![named(), arm(None, Some(one))], true)]
+    {
         program.cycle = vec![Statement::Match(state, arms, Vec::new())];
         optimise(&mut program, &[Pass::Hoist]);
         assert_eq!(matches!(program.cycle[..], [Statement::Match(..)]), asked, "{program}");
@@ -141,7 +139,7 @@ fn a_time_begins_on_each_way_where_one_to_a_step_that_asks_does_not_begin_it() {
         (vec![Value::Step(Some(close))], vec![Statement::If(over, vec![to(work), begin()], Vec::new())])
     };
     let from = |step, way| (vec![Value::Step(Some(step))], way);
-    let ways = |to_close| Statement::Match(state, vec![from(wait, to_close), close_asks()], Vec::new());
+    let closes = |to_close| Statement::Match(state, vec![from(wait, to_close), close_asks()], Vec::new());
     let if_entered = || {
         let entered = Expr::Value(Value::Step(Some(close)));
         let differs = Expr::Compare(Comparison::Differs, Box::new(Expr::Place(was)), Box::new(entered));
@@ -152,9 +150,9 @@ fn a_time_begins_on_each_way_where_one_to_a_step_that_asks_does_not_begin_it() {
         [front, vec![Statement::Loop { rounds: 2, body }]].concat()
     };
     for (what, cycle, fewer) in [
-        ("each way begins the time", round(vec![], vec![ways(vec![to(close), begin()])]), true),
-        ("one begins none", round(vec![], vec![ways(vec![to(close)])]), false),
-        ("where it was not active", round(vec![], vec![copy(), ways(vec![if_entered(), to(close)])]), true),
+        ("each way begins the time", round(vec![], vec![closes(vec![to(close), begin()])]), true),
+        ("one begins none", round(vec![], vec![closes(vec![to(close)])]), false),
+        ("where it was not active", round(vec![], vec![copy(), closes(vec![if_entered(), to(close)])]), true),
         (
             "the deadline alone asks",
             round(
@@ -167,7 +165,7 @@ fn a_time_begins_on_each_way_where_one_to_a_step_that_asks_does_not_begin_it() {
             ),
             true,
         ),
-        ("since the cycle began", round(vec![copy()], vec![ways(vec![if_entered(), to(close)])]), false),
+        ("since the cycle began", round(vec![copy()], vec![closes(vec![if_entered(), to(close)])]), false),
     ] {
         let mut program = naive();
         program.cycle = cycle;
