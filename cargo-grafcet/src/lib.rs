@@ -3,6 +3,7 @@
 mod args;
 mod check;
 mod coverage;
+mod cycle;
 mod diff;
 mod draw;
 mod export;

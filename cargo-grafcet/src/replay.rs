@@ -6,12 +6,13 @@ use std::time::Duration;
 
 use clap::Args as Arguments;
 use grafcet_sim::{Chart, Trace, chronogram, page, table, vcd};
+use serde_json::{Value as Json, json};
 
 use crate::args::Charts;
 use crate::find::{self, Found};
 use crate::model::drawn;
 use crate::time::duration;
-use crate::{Failure, Outcome, complain, say};
+use crate::{Failure, Outcome, complain, cycle, say};
 
 /// Run a record of the flight recorder again, from the chart's source
 ///
@@ -23,6 +24,7 @@ Examples:
   cargo grafcet replay cell.record --chart Cell --html cell.html
   cargo grafcet replay cell.record --chart Cell --at 75ms           the chart at this moment, in the terminal
   cargo grafcet replay cell.record --chart Cell --draw moments      a drawing of each moment: moments/Cell-04.svg
+  cargo grafcet replay cell.record --chart Cell --json              for a program
 
 Exit code 1 says that there are warnings, or that the record cannot be run.")]
 pub(crate) struct Replay {
@@ -46,6 +48,9 @@ pub(crate) struct Replay {
     /// writes this one alone
     #[arg(long, value_name = "MOMENT", value_parser = moment)]
     pub(crate) at: Option<Moment>,
+    /// One JSON object a cycle instead of the table, or with `--at` that of the moment; warnings go to the error output
+    #[arg(long)]
+    pub(crate) json: bool,
     /// Also a record of another version of the chart, with the same inputs and parameters
     #[arg(long)]
     pub(crate) even_if_changed: bool,
@@ -63,6 +68,7 @@ pub(crate) fn run(options: &Replay) -> Result<Outcome, Failure> {
     };
     let at = options.at.map(|moment| moment.cycle(&chart, &trace)).transpose()?;
     match at {
+        _ if options.json => objects(&trace, at)?,
         Some(cycle) => say(&chart.text(&trace.cycles[cycle].steps))?,
         None => say(&table(&trace))?,
     }
@@ -81,6 +87,23 @@ pub(crate) fn run(options: &Replay) -> Result<Outcome, Failure> {
         vcd(&trace, std::io::BufWriter::new(out)).map_err(|error| Failure::file(file, &error))?;
     }
     Ok(Outcome::wrong_if(!trace.warnings.is_empty()))
+}
+
+/// The cycles for a program, all or the one that is meant: as those of `simulate`, with what is not known of the time before them.
+fn objects(trace: &Trace, at: Option<usize>) -> Result<(), Failure> {
+    for warning in &trace.warnings {
+        complain(&format!("warning: {warning}"));
+    }
+    for (number, cycle) in trace.cycles.iter().enumerate() {
+        if at.is_none_or(|at| at == number) {
+            let mut object = cycle::object(&trace.names, number, cycle);
+            let gap = cycle.gap.as_ref().map(|gap| json!({ "reason": gap.reason, "cycles": gap.cycles }));
+            object.insert("gap".to_owned(), json!(gap));
+            object.insert("skipped".to_owned(), json!(cycle.skipped));
+            say(&format!("{}\n", Json::from(object)))?;
+        }
+    }
+    Ok(())
 }
 
 /// A moment of a record.

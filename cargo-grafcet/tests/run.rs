@@ -92,6 +92,7 @@ fn what_a_record_shows() {
         assert!(fs::read_to_string(folder.path().join(file)).is_ok_and(|text| text.contains(part)), "{file}");
     }
     a_record_is_drawn(folder.path());
+    a_record_for_programs(folder.path());
     let done = replay(&["cell.record", "charts.rs", "--chart", "Motor"]);
     assert_eq!((done.code, done.out.as_str()), (Some(1), ""));
     assert!(done.err.starts_with("error: cell.record: the record is of another chart or version"), "{}", done.err);
@@ -104,6 +105,26 @@ fn what_a_record_shows() {
     let done = tool(folder.path(), &["coverage", "cell.rs", "--chart", "Cell", "--record", "cell.record"]);
     assert_eq!(done.code, Some(1), "{done:?}");
     assert!(done.out.starts_with("Cell: "), "{}", done.out);
+}
+
+/// One object a cycle: what the table shows, by names.
+fn a_record_for_programs(folder: &Path) {
+    let replay = |arguments: &[&str]| {
+        tool(folder, &[&["replay", "cell.record", "cell.rs", "--chart", "Cell", "--json"], arguments].concat())
+    };
+    let done = replay(&[]);
+    let cycles: Vec<Value> = done.out.lines().map(parsed).collect();
+    assert_eq!((done.code, cycles.len()), (Some(0), 16), "{done:?}");
+    for (number, cycle) in cycles.iter().enumerate() {
+        assert_eq!(cycle["cycle"], number);
+        assert!(cycle["gap"].is_null() && cycle["skipped"] == 0, "{cycle}");
+    }
+    let seventh = &cycles[7];
+    assert_eq!(seventh["steps"], serde_json::json!(["Ready", "Auto", "Drilled", "Stamp"]));
+    assert_eq!(seventh["happened"], serde_json::json!(["Drill → Drilled"]));
+    assert_eq!([&seventh["inputs"]["drilled"], &seventh["inputs"]["estop"]], [true, false]);
+    assert_eq!([&seventh["outputs"]["stamp"], &seventh["outputs"]["drill"]], [true, false]);
+    assert_eq!(parsed(&replay(&["--at", "75ms"]).out), *seventh);
 }
 
 /// A drawing for each cycle in which the situation has changed, and the one of a moment.

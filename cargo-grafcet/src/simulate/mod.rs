@@ -18,14 +18,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args as Arguments;
-use grafcet_sim::{Chart, Cycle, Signal, Trace, Value, happened, table};
+use grafcet_sim::{Chart, Cycle, Trace, table};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use serde_json::{Map, json};
+use serde_json::Value as Json;
 
 use crate::args::Charts;
 use crate::find;
-use crate::{Failure, Outcome, complain, replay, say};
+use crate::{Failure, Outcome, complain, cycle, replay, say};
 use screen::Screen;
 use session::Session;
 
@@ -140,36 +140,11 @@ fn screen_of(session: &Session<'_>, (columns, rows): (u16, u16)) -> String {
 }
 
 /// One cycle for a program.
-fn object(session: &Session<'_>, cycle: &Cycle) -> serde_json::Value {
+fn object(session: &Session<'_>, cycle: &Cycle) -> Json {
     let names = session.names();
-    let values = |signals: &[Signal], values: &[Value]| -> Map<String, serde_json::Value> {
-        signals.iter().zip(values).map(|(signal, value)| (signal.name.clone(), json_of(value))).collect()
-    };
-    let (inputs, outside) = session.signals().split_at(session.inputs());
-    let steps: Vec<&str> = cycle.steps.iter().map(|step| names.steps[*step].name.as_str()).collect();
-    let waits: Vec<String> = cycle.blocked.waiting.iter().map(ToString::to_string).collect();
-    json!({
-        "cycle": session.script().len() - 1,
-        "now": cycle.now,
-        "inputs": values(inputs, &cycle.inputs),
-        "outside": values(outside, &session.values()[inputs.len()..]),
-        "params": values(&names.params, &session.simulation().params()),
-        "steps": steps,
-        "outputs": values(&names.outputs, &cycle.outputs),
-        "variables": values(&names.variables, &cycle.variables),
-        "happened": happened(names, cycle),
-        "stable": cycle.is_stable,
-        "waits": waits,
-    })
-}
-
-fn json_of(value: &Value) -> serde_json::Value {
-    match value {
-        Value::Bool(value) => (*value).into(),
-        Value::Int(value) => i64::try_from(*value).map_or_else(|_| value.to_string().into(), Into::into),
-        Value::Float(value) => (*value).into(),
-        Value::Ticks(value) => (*value).into(),
-        Value::Name(name) => name.clone().into(),
-        Value::Unknown => serde_json::Value::Null,
-    }
+    let outside = &session.signals()[session.inputs()..];
+    let mut object = cycle::object(names, session.script().len() - 1, cycle);
+    object.insert("outside".to_owned(), cycle::values(outside, &session.values()[session.inputs()..]));
+    object.insert("params".to_owned(), cycle::values(&names.params, &session.simulation().params()));
+    object.into()
 }
