@@ -1,6 +1,6 @@
 //! What keys mean, and what a person has chosen on the screen beside the session itself.
 
-use grafcet_sim::{Kind, Signal, script_of};
+use grafcet_sim::{Error, Kind, Signal, script_of};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::session::Session;
@@ -42,6 +42,12 @@ impl Screen {
         match (key.code, key.modifiers.contains(KeyModifiers::CONTROL)) {
             (KeyCode::Char('c'), true) => return Next::End,
             (KeyCode::Char('s'), true) => return Next::Save,
+            (KeyCode::Char('r'), true) => {
+                (self.typing, self.forcing) = (None, None);
+                let done = session.init().map(drop);
+                self.ran(done);
+                return Next::Go;
+            }
             (KeyCode::Char('f'), true) => {
                 (self.running, self.typing, self.forcing) = (false, None, Some(String::new()));
                 return Next::Go;
@@ -86,7 +92,12 @@ impl Screen {
 
     /// One cycle; where the chart fails, nothing runs any more.
     pub(crate) fn cycle(&mut self, session: &mut Session<'_>) {
-        if let Err(error) = session.cycle() {
+        let done = session.cycle().map(drop);
+        self.ran(done);
+    }
+
+    fn ran(&mut self, done: Result<(), Error>) {
+        if let Err(error) = done {
             self.running = false;
             self.message = Some(format!("this cycle cannot be run: {error}"));
         }

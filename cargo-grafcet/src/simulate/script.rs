@@ -1,6 +1,7 @@
-//! Scripts with what a person does beside the inputs: parameters that are exchanged, and cycles by hand.
+//! Scripts with what a person does beside the inputs: parameters that are exchanged, *Init*, and cycles by hand.
 //!
-//! A word `most=80` exchanges a parameter from that cycle on; `force{Run,Light}` makes a cycle that leads into these steps by hand.
+//! A word `most=80` exchanges a parameter from that cycle on; with `init{}` the cycle starts like a first one; `force{Run,Light}` makes one that leads into these
+//! steps by hand.
 
 use std::fmt::Write as _;
 
@@ -14,6 +15,8 @@ pub(crate) struct Played {
     pub(crate) values: Vec<Value>,
     /// What is exchanged in front of it: parameters by their places.
     pub(crate) params: Vec<(usize, Value)>,
+    /// It starts like a first one.
+    pub(crate) init: bool,
     /// The steps that it leads into by hand.
     pub(crate) by_hand: Option<Vec<String>>,
 }
@@ -26,10 +29,14 @@ pub(crate) fn read(signals: &[Signal], params: &[Signal], text: &str) -> Result<
     let mut cycles: Vec<Played> = Vec::new();
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.starts_with('#')) {
         let here = |bad: BadLine| BadLine { line: index + 1, ..bad };
-        let (mut others, mut exchanged, mut by_hand) = (Vec::new(), Vec::new(), None);
+        let (mut others, mut exchanged, mut init, mut by_hand) = (Vec::new(), Vec::new(), false, None);
         for word in script_words(line) {
             if let Some(steps) = word.strip_prefix("force{").and_then(|rest| rest.strip_suffix('}')) {
                 by_hand = Some(steps.split(',').filter(|step| !step.is_empty()).map(str::to_owned).collect());
+                continue;
+            }
+            if word == "init{}" {
+                init = true;
                 continue;
             }
             match params.iter().position(|param| word.split('=').next() == Some(&param.name)) {
@@ -41,7 +48,7 @@ pub(crate) fn read(signals: &[Signal], params: &[Signal], text: &str) -> Result<
         let before = cycles.last().map_or(0, |cycle| cycle.now);
         let rest = format!("@{before} {}", others.join(" "));
         for (now, values) in script_of(signals, &rest).map_err(here)? {
-            cycles.push(Played { now, values, params: exchanged.clone(), by_hand: by_hand.clone() });
+            cycles.push(Played { now, values, params: exchanged.clone(), init, by_hand: by_hand.clone() });
         }
     }
     Ok(cycles)
@@ -70,6 +77,9 @@ pub(crate) fn text(signals: &[Signal], params: &[Signal], cycles: &[Played]) -> 
         for (place, value) in &cycle.params {
             _ = write!(lines, "{}={value} ", params[*place].name);
         }
+        if cycle.init {
+            lines += "init{} ";
+        }
         if let Some(steps) = &cycle.by_hand {
             _ = write!(lines, "force{{{}}} ", steps.join(","));
         }
@@ -91,16 +101,24 @@ mod tests {
         let number = || Kind::Int { signed: false, bits: 8 };
         let signals = [signal("on", Kind::Bool), signal("near(x, 3)", Kind::Bool)];
         let params = [signal("most", number()), signal("fast", Kind::Bool), signal("soak", Kind::Time)];
-        let script = "-\n@5 most=80 fast=false on\n@7 force{Run,Two::Light} on `near(x, 3)`\nforce{} -\nsoak=300 -\n";
+        let script =
+            "-\n@5 most=80 fast=false on\n@7 force{Run,Two::Light} on `near(x, 3)`\nforce{} -\nsoak=300 init{} on\n";
         let cycles = read(&signals, &params, script).expect("a script");
         assert_eq!(text(&signals, &params, &cycles), script);
         assert_eq!(cycles[1].params, [(0, Value::Int(80)), (1, false.into())]);
         assert_eq!(cycles[2].by_hand, Some(vec!["Run".to_owned(), "Two::Light".to_owned()]));
         assert_eq!((cycles[3].by_hand.as_deref(), cycles[3].now), (Some(&[][..]), 7));
-        assert_eq!(cycles[4].params, [(2, Value::Ticks(300))]);
-        for (bad, word) in
-            [("-\nmost", "most"), ("-\nmost=x", "most=x"), ("-\nmoist=3", "moist=3"), ("#\nforce{A", "force{A")]
-        {
+        assert_eq!(
+            (&cycles[4].params[..], cycles[4].init, cycles[3].init),
+            (&[(2, Value::Ticks(300))][..], true, false)
+        );
+        for (bad, word) in [
+            ("-\nmost", "most"),
+            ("-\nmost=x", "most=x"),
+            ("-\nmoist=3", "moist=3"),
+            ("#\nforce{A", "force{A"),
+            ("-\ninit", "init"),
+        ] {
             let error = read(&signals, &params, bad).expect_err(bad);
             assert_eq!((error.line, error.word.as_str()), (2, word));
         }

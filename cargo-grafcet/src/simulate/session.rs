@@ -52,7 +52,15 @@ impl<'c> Session<'c> {
     /// # Errors
     /// The chart's own arithmetic fails; nothing has changed then.
     pub(crate) fn cycle(&mut self) -> Result<&Cycle, Error> {
-        self.cycle_at(self.next(), None)
+        self.cycle_at(self.next(), false, None)
+    }
+
+    /// The same, but it starts like a first one: the classic *Init*.
+    ///
+    /// # Errors
+    /// As of [`Session::cycle`].
+    pub(crate) fn init(&mut self) -> Result<&Cycle, Error> {
+        self.cycle_at(self.next(), true, None)
     }
 
     fn next(&self) -> u32 {
@@ -66,7 +74,7 @@ impl<'c> Session<'c> {
     pub(crate) fn force(&mut self, steps: Vec<String>) -> Result<&Cycle, String> {
         let now = self.next();
         self.beside.may_be(&steps.iter().map(String::as_str).collect::<Vec<_>>())?;
-        self.cycle_at(now, Some(steps)).map_err(|error| error.to_string())
+        self.cycle_at(now, false, Some(steps)).map_err(|error| error.to_string())
     }
 
     /// One cycle as a script has it.
@@ -87,16 +95,19 @@ impl<'c> Session<'c> {
         if let Some(steps) = &played.by_hand {
             self.beside.may_be(&steps.iter().map(String::as_str).collect::<Vec<_>>())?;
         }
-        self.cycle_at(played.now, played.by_hand.clone()).map_err(|error| error.to_string())
+        self.cycle_at(played.now, played.init, played.by_hand.clone()).map_err(|error| error.to_string())
     }
 
-    fn cycle_at(&mut self, now: u32, by_hand: Option<Vec<String>>) -> Result<&Cycle, Error> {
+    fn cycle_at(&mut self, now: u32, init: bool, by_hand: Option<Vec<String>>) -> Result<&Cycle, Error> {
         let mut before = self.now.simulation.clone();
         let was = before.params();
         let exchanged = self.params.iter().cloned().enumerate().filter(|(place, value)| was[*place] != *value);
         let exchanged: Vec<(usize, Value)> = exchanged.collect();
         for (place, value) in &exchanged {
             before.set_param(&self.names().params[*place].name, value.clone())?;
+        }
+        if init {
+            before.init()?;
         }
         let (simulation, cycle) = match &by_hand {
             None => self.beside.cycle(&before, now, &self.values)?,
@@ -111,7 +122,7 @@ impl<'c> Session<'c> {
         if self.past.len() > MOST_BACK {
             self.past.pop_front();
         }
-        self.script.push(Played { now, values: self.values.clone(), params: exchanged, by_hand });
+        self.script.push(Played { now, values: self.values.clone(), params: exchanged, init, by_hand });
         Ok(self.now.cycle.insert(cycle))
     }
 

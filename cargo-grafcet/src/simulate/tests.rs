@@ -251,6 +251,31 @@ fn parameters_are_exchanged_and_come_back() {
 }
 
 #[test]
+fn init_starts_like_a_first_cycle() {
+    let chart = chart(PRESS);
+    let mut session = Session::new(&chart, 100).expect("understood");
+    let mut screen = Screen::of(&session);
+    press(&mut screen, &mut session, "\ng\n");
+    assert!(session.simulation().is_active("Down"));
+    assert_eq!(session.simulation().variable("n"), Some(Value::Int(1)));
+    // The inputs stay: what is enabled in the initial situation clears as in a first cycle.
+    press(&mut screen, &mut session, "g");
+    let control = KeyEvent::new(KeyCode::Char('r'), KeyModifiers::CONTROL);
+    assert_eq!(screen.press(control, &mut session), Next::Go);
+    assert_eq!((screen.message.as_deref(), session.simulation().is_active("Up")), (None, true));
+    assert_eq!(session.simulation().variable("n"), Some(Value::Int(0)));
+    let text = terminal::text(&session);
+    assert_eq!(text, "-\n@100 go\n@200 init{} -\n");
+    let mut again = Session::new(&chart, 1).expect("understood");
+    for cycle in script::read(again.signals(), &chart.names().params, &text).expect("a script") {
+        again.play(&cycle).expect("as it was");
+    }
+    assert_eq!(again.simulation().steps(), session.simulation().steps());
+    press(&mut screen, &mut session, "<");
+    assert!(session.simulation().is_active("Down"));
+}
+
+#[test]
 fn cycles_by_hand() {
     let by_hand = |screen: &mut Screen, session: &mut Session<'_>, steps: &str| {
         let control = KeyEvent::new(KeyCode::Char('f'), KeyModifiers::CONTROL);
