@@ -53,8 +53,8 @@ const CASES: [(&[Form], &str, &str); 26] = [
     ),
     (
         &BOTH,
-        "sfc C { input level: f32; initial step A; step B; A -[level > 1.0]-> B -[level < 0.5]-> A; }",
-        "`level` is of a type of the program or a float",
+        "sfc C { input level: Level; initial step A; step B; A -[level > LOW]-> B -[level < LOW]-> A; }",
+        "`level` is of a type of the program, which",
     ),
     (
         &BOTH,

@@ -78,7 +78,8 @@ fn variable(variable: &Variable) -> Element {
 
 /// A type of the standard, or the name of a function block.
 fn type_of(ty: &str) -> Element {
-    const ELEMENTARY: [&str; 10] = ["BOOL", "SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT", "TIME"];
+    const ELEMENTARY: [&str; 12] =
+        ["BOOL", "SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT", "REAL", "LREAL", "TIME"];
     if ELEMENTARY.contains(&ty) { Element::new(ty) } else { Element::new("derived").with("name", ty) }
 }
 

@@ -11,7 +11,7 @@ use grafcet_compiler::model::{
 use super::names::Names;
 use super::syntax::Stub;
 use super::text::{Text, all, any, not, strength};
-use super::{time, variants};
+use super::{real, time, variants};
 use crate::Refused;
 
 /// What a value is.
@@ -20,6 +20,8 @@ pub(crate) enum Kind {
     Bool,
     /// `UINT`
     Int(&'static str),
+    /// `REAL`
+    Real(&'static str),
     Time,
     /// Literals of integers, which fit to any.
     Number,
@@ -44,6 +46,9 @@ pub(crate) fn kind(ty: &Ty) -> Option<Kind> {
                 _ => return None,
             })
         }
+        Ty::Other(syn::Type::Path(path)) if ty.is_float() => {
+            Kind::Real(if path.path.is_ident("f32") { "REAL" } else { "LREAL" })
+        }
         _ => return None,
     })
 }
@@ -57,7 +62,7 @@ impl Kind {
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Bool => "BOOL",
-            Self::Int(name) => name,
+            Self::Int(name) | Self::Real(name) => name,
             Self::Time => "TIME",
             Self::Number => "DINT",
         }
@@ -177,7 +182,10 @@ impl<'m> Scope<'m> {
                 Ok(Text { text: format!("-{inner}"), strength: strength::SUM })
             }
             Tree::Binary(operator, a, b) => self.binary(*operator, [a, b], wanted, at),
-            Tree::Opaque { text, reads, .. } => self.opaque(text, reads, wanted, at),
+            Tree::Opaque { text, reads, .. } => match real::literal(text) {
+                Some(number) => Ok(Text::word(number)),
+                None => self.opaque(text, reads, wanted, at),
+            },
         }
     }
 
@@ -364,7 +372,7 @@ impl<'m> Scope<'m> {
             }
         };
         // Of `n != 0 && 10 / n > 2` a PLC computes both sides.
-        if matches!(operator, Binary::Div | Binary::Rem) && !matches!(b, Tree::Int(1..)) {
+        if matches!(operator, Binary::Div | Binary::Rem) && !matches!(b, Tree::Int(1..)) && !real::is_above_zero(b) {
             let what = "a division by what may be zero";
             return Err(refuse(at, what, "divide by a number, or write a function of the program"));
         }
@@ -374,6 +382,9 @@ impl<'m> Scope<'m> {
             return Err(refuse(at, "a comparison of two lists of variants", "let both list the same ones"));
         }
         let both = [&left, &right].into_iter().flatten().find(|kind| **kind != Kind::Number).cloned();
+        if operator == Binary::Rem && matches!(both, Some(Kind::Real(_))) {
+            return Err(refuse(at, "`%` on floats", "write it as a function of the program"));
+        }
         if strength == strength::ORDER && logical {
             return Err(refuse(at, "the order of truths", "write it with `&&` and `!`"));
         }

@@ -50,12 +50,12 @@ pub(crate) fn types(model: &Model, listed: bool, refused: &mut Vec<Refused>) {
         if expr::kind(model.ty(name)).is_none() && !(listed && model.variants_of(name).is_some()) {
             let ident = model.value_name(name);
             let what = match model.ty(name) {
-                Ty::Other(_) => "is of a type of the program or a float",
+                Ty::Other(_) => "is of a type of the program",
                 _ => "is an integer that no PLC has",
             };
             let lists = if listed { ", or a list of variants (`mode: Mode in {Off, Auto}`)" } else { "" };
             let message = format!(
-                "`{ident}` {what}, which structured text of these forms does not have; use `bool`, `time`, an integer of 8 to 64 bits{lists}"
+                "`{ident}` {what}, which structured text of these forms does not have; use `bool`, `time`, `f32`, `f64`, an integer of 8 to 64 bits{lists}"
             );
             refused.push(Refused::at(ident.into(), message));
         }

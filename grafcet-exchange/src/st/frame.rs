@@ -8,7 +8,7 @@ use super::expr::{At, Kind, Scope, kind_of};
 use super::syntax::{Program, Statement, Variable};
 use super::text::{Text, all, not};
 use super::time::LONGEST;
-use super::variants;
+use super::{real, variants};
 use crate::Refused;
 
 /// What a program remembers beside its names.
@@ -105,7 +105,7 @@ pub(crate) fn initial(scope: &mut Scope<'_>, name: Name) -> Result<String, Refus
         return variant(listed, init, model.value_name(name));
     }
     match init {
-        Some(init) if init.tree.is_opaque() => {
+        Some(init) if init.tree.is_opaque() && !real::is_literal(&init.tree) => {
             let message = format!(
                 "`{}` is a constant of the program, whose value the chart does not tell: write the value",
                 init.text
@@ -119,6 +119,7 @@ pub(crate) fn initial(scope: &mut Scope<'_>, name: Name) -> Result<String, Refus
         None => Ok(match wanted {
             Kind::Bool => "FALSE".to_owned(),
             Kind::Time => "T#0s".to_owned(),
+            Kind::Real(_) => "0.0".to_owned(),
             Kind::Int(_) | Kind::Number => "0".to_owned(),
         }),
     }

@@ -18,6 +18,7 @@ mod flavour;
 pub(crate) mod frame;
 pub(crate) mod header;
 pub(crate) mod names;
+mod real;
 mod stubs;
 pub(crate) mod syntax;
 pub(crate) mod text;

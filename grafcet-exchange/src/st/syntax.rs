@@ -1,5 +1,7 @@
 //! A program of structured text as data, and as text.
 
+use super::real;
+
 /// A statement.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Statement {
@@ -128,7 +130,7 @@ impl Stub {
         declare(text, "VAR_INPUT", &self.inputs);
         push(text, 1, &comment(&format!("TO BE WRITTEN, in Rust: {}", self.rust)));
         if let Some(ty) = &self.ty {
-            let nothing = if ty == "BOOL" { "FALSE" } else { "0" };
+            let nothing = real::nothing(ty);
             push(text, 1, &format!("{} := {nothing};", self.name));
         } else {
             push(text, 1, ";");

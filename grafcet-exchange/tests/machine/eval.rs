@@ -1,13 +1,16 @@
 //! What statements do, and what expressions are worth. Types are never mixed.
 
 use super::parser::{Expression, Statement};
-use super::{Call, Cell, Machine, Timer, Type, Value};
+use super::{Call, Cell, Machine, Real, Timer, Type, Value};
 
 /// A value for a variable of a type.
 pub(super) fn fitting(ty: Type, value: Value) -> Result<Value, String> {
     match (ty, value) {
         (Type::Bool, Value::Bool(_)) | (Type::Time, Value::Time(_)) => Ok(value),
         (Type::Int(low, high), Value::Int(number)) if (low..=high).contains(&number) => Ok(value),
+        (Type::Real(single), Value::Real(real)) if real.single.is_none_or(|of| of == single) => {
+            Ok(Value::Real(Real::new(real.number(), Some(single))))
+        }
         (Type::Int(..), Value::Int(number)) => Err(format!("{number} does not fit")),
         _ => Err(format!("{value:?} is of another type than {ty:?}")),
     }
@@ -19,6 +22,7 @@ pub(super) fn constant(expression: &Expression) -> Result<Value, String> {
         Expression::Literal(value) => Ok(*value),
         Expression::Minus(inner) => match constant(inner)? {
             Value::Int(number) => Ok(Value::Int(-number)),
+            Value::Real(real) => Ok(Value::Real(Real::new(-real.number(), real.single))),
             other => Err(format!("-{other:?}")),
         },
         Expression::Not(inner) => match constant(inner)? {
@@ -32,6 +36,9 @@ pub(super) fn constant(expression: &Expression) -> Result<Value, String> {
 
 fn binary(operator: &str, a: Value, b: Value) -> Result<Value, String> {
     use Value::{Bool, Int, Time};
+    if let (Value::Real(a), Value::Real(b)) = (a, b) {
+        return real(operator, a, b);
+    }
     let order = match (a, b) {
         (Bool(_), Bool(_)) | (Int(_), Int(_)) | (Time(_), Time(_)) => a.cmp(&b),
         _ => return Err(format!("{a:?} {operator} {b:?}")),
@@ -54,6 +61,31 @@ fn binary(operator: &str, a: Value, b: Value) -> Result<Value, String> {
         ("mod", Int(a), Int(b)) => Int(a.checked_rem(b).ok_or("division by zero")?),
         _ => return Err(format!("{a:?} {operator} {b:?}")),
     })
+}
+
+/// Both of one length; the result is, too.
+fn real(operator: &str, a: Real, b: Real) -> Result<Value, String> {
+    let single = a.single.or(b.single);
+    if b.single.is_some_and(|of| Some(of) != single) {
+        return Err(format!("{a:?} {operator} {b:?}"));
+    }
+    let [a, b] = [a, b].map(|real| Real::new(real.number(), single).number());
+    let is = |holds| Ok(Value::Bool(holds));
+    #[allow(clippy::float_cmp, reason = "so a PLC compares")]
+    let number = match operator {
+        "=" => return is(a == b),
+        "<>" => return is(a != b),
+        "<" => return is(a < b),
+        "<=" => return is(a <= b),
+        ">" => return is(a > b),
+        ">=" => return is(a >= b),
+        "+" => a + b,
+        "-" => a - b,
+        "*" => a * b,
+        "/" => a / b,
+        _ => return Err(format!("{a} {operator} {b}")),
+    };
+    Ok(Value::Real(Real::new(number, single)))
 }
 
 impl Machine {
@@ -146,6 +178,7 @@ impl Machine {
             Expression::Not(inner) => Ok(Value::Bool(!self.holds(inner)?)),
             Expression::Minus(inner) => match self.value(inner)? {
                 Value::Int(number) => Ok(Value::Int(-number)),
+                Value::Real(real) => Ok(Value::Real(Real::new(-real.number(), real.single))),
                 other => Err(format!("-{other:?}")),
             },
             Expression::Binary(operator, a, b) => binary(operator, self.value(a)?, self.value(b)?),

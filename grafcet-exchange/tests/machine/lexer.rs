@@ -7,6 +7,8 @@ pub(super) enum Token {
     /// In small letters.
     Word(String),
     Int(i128),
+    /// `2.5E-3`, as its bits.
+    Real(u64),
     /// Milliseconds.
     Time(u64),
     Sign(&'static str),
@@ -60,6 +62,10 @@ pub(super) fn tokens(text: &str, dialect: Dialect) -> Result<Vec<Token>, String>
                 tokens.push(Token::Word(word));
                 rest = &rest[end..];
             }
+        } else if let Some(end) = real(rest) {
+            let number: f64 = rest[..end].parse().map_err(|error| format!("{}: {error}", &rest[..end]))?;
+            tokens.push(Token::Real(number.to_bits()));
+            rest = &rest[end..];
         } else if first.is_ascii_digit() {
             let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
             tokens.push(Token::Int(rest[..end].parse().map_err(|error| format!("{}: {error}", &rest[..end]))?));
@@ -71,6 +77,24 @@ pub(super) fn tokens(text: &str, dialect: Dialect) -> Result<Vec<Token>, String>
             return Err(format!("`{first}` is no sign of structured text"));
         }
     }
+}
+
+/// Where a real literal ends: `integer . integer [E [+|-] integer]`.
+fn real(text: &str) -> Option<usize> {
+    let digits = |from: usize| {
+        let end = text[from..].find(|c: char| !c.is_ascii_digit()).map_or(text.len(), |end| from + end);
+        (end > from).then_some(end)
+    };
+    let point = digits(0)?;
+    if !text[point..].starts_with('.') {
+        return None;
+    }
+    let end = digits(point + 1)?;
+    if !text[end..].starts_with(['E', 'e']) {
+        return Some(end);
+    }
+    let sign = usize::from(text[end + 1..].starts_with(['+', '-']));
+    digits(end + 1 + sign)
 }
 
 /// `1h30m`: from long to short units, each once.

@@ -26,6 +26,26 @@ pub(crate) enum Value {
     Bool(bool),
     Int(i128),
     Time(u64),
+    Real(Real),
+}
+
+/// A float: its bits as those of 64, and whether it is one of 32. A literal is either.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) struct Real {
+    bits: u64,
+    single: Option<bool>,
+}
+
+impl Real {
+    pub(crate) fn new(number: f64, single: Option<bool>) -> Self {
+        #[allow(clippy::cast_possible_truncation, reason = "that is what a REAL is")]
+        let number = if single == Some(true) { f64::from(number as f32) } else { number };
+        Self { bits: number.to_bits(), single }
+    }
+
+    pub(crate) fn number(self) -> f64 {
+        f64::from_bits(self.bits)
+    }
 }
 
 impl Value {
@@ -35,6 +55,7 @@ impl Value {
             Self::Bool(value) => i128::from(value),
             Self::Int(value) => value,
             Self::Time(ms) => i128::from(ms),
+            Self::Real(_) => panic!("a float is no number of a timeline"),
         }
     }
 }
@@ -55,6 +76,8 @@ enum Type {
     Time,
     /// The lowest and the highest value.
     Int(i128, i128),
+    /// Whether of 32 bits.
+    Real(bool),
 }
 
 /// TON: on delay.
@@ -128,6 +151,7 @@ impl Machine {
             Type::Bool => Value::Bool(false),
             Type::Time => Value::Time(0),
             Type::Int(..) => Value::Int(0),
+            Type::Real(single) => Value::Real(Real::new(0.0, Some(single))),
         };
         let value = init.map_or(Ok(nothing), eval::constant)?;
         Ok(Cell::Value(ty, eval::fitting(ty, value)?))
@@ -181,6 +205,8 @@ fn type_of(name: &str) -> Result<Type, String> {
         "udint" => int(false, 32),
         "lint" => int(true, 64),
         "ulint" => int(false, 64),
+        "real" => Type::Real(true),
+        "lreal" => Type::Real(false),
         _ => return Err(format!("there is no type `{name}`")),
     })
 }

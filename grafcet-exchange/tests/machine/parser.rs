@@ -1,7 +1,7 @@
 //! Functions, function blocks, statements and expressions.
 
 use super::lexer::{Token, tokens};
-use super::{Dialect, Value};
+use super::{Dialect, Real, Value};
 
 /// A function or a function block.
 #[derive(Clone, Debug)]
@@ -195,8 +195,10 @@ impl Parser {
                 return Err(self.wrong("the properties of a block"));
             }
             self.need(":")?;
-            // `0.1`
-            self.at += 3;
+            if !matches!(self.peek(), Some(Token::Real(_))) {
+                return Err(self.wrong("a version"));
+            }
+            self.at += 1;
         }
         let mut variables = Vec::new();
         loop {
@@ -376,6 +378,7 @@ impl Parser {
         let literal = match self.peek() {
             Some(Token::Int(number)) => Some(Value::Int(*number)),
             Some(Token::Time(ms)) => Some(Value::Time(*ms)),
+            Some(Token::Real(bits)) => Some(Value::Real(Real::new(f64::from_bits(*bits), None))),
             _ => None,
         };
         if let Some(value) = literal {

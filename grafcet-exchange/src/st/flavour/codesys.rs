@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use super::words::{Word, words};
 use super::{change, named, parts};
+use crate::st::real;
 use crate::st::syntax::{Program, Stub, comment, declare, push, statements};
 
 /// What is narrower than the numbers that CODESYS computes with.
-const NARROW: [&str; 4] = ["SINT", "USINT", "INT", "UINT"];
+const NARROW: [&str; 5] = ["SINT", "USINT", "INT", "UINT", "REAL"];
 
 pub(super) fn text(mut program: Program) -> String {
     named(&mut program.header, "for CODESYS 3.5");
@@ -57,7 +58,7 @@ pub(super) fn text(mut program: Program) -> String {
 fn to_write(stub: &Stub, text: &mut String) {
     let (begin, end, value) = match &stub.ty {
         Some(ty) => {
-            let nothing = if ty == "BOOL" { "FALSE" } else { "0" };
+            let nothing = real::nothing(ty);
             (format!("FUNCTION {} : {ty}", stub.name), "END_FUNCTION", format!("{} := {nothing};", stub.name))
         }
         None => (format!("FUNCTION_BLOCK {}", stub.name), "END_FUNCTION_BLOCK", ";".to_owned()),

@@ -23,7 +23,9 @@ pub(super) fn words(text: &str) -> Vec<Word<'_>> {
     while let Some(first) = text[at..].chars().next() {
         let rest = &text[at..];
         let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        let length = if is_part(first) {
+        let length = if first.is_ascii_digit() {
+            number(rest)
+        } else if is_part(first) {
             // `T#1m30s` is one word.
             rest.find(|c: char| !is_part(c) && c != '#').unwrap_or(rest.len())
         } else {
@@ -51,6 +53,17 @@ pub(super) fn words(text: &str) -> Vec<Word<'_>> {
     all
 }
 
+/// The length of the number or time at the beginning: `2.5E-3` is one word.
+fn number(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let is_of_it = |at: usize| match bytes[at] {
+        b'.' => bytes.get(at + 1).is_some_and(u8::is_ascii_digit),
+        b'+' | b'-' => bytes[at - 1] == b'E' && text[..at].contains('.'),
+        other => other.is_ascii_alphanumeric() || matches!(other, b'_' | b'#'),
+    };
+    (0..bytes.len()).find(|at| !is_of_it(*at)).unwrap_or(bytes.len())
+}
+
 #[cfg(test)]
 mod tests {
     use super::Word::{self, Called, Name, Operator, Part};
@@ -67,6 +80,7 @@ mod tests {
         );
         assert_eq!(named("NOT (T_a.ET >= T#5s)"), [Name("NOT"), Name("T_a"), Part("ET")]);
         assert_eq!(named("-3 - n MOD 2"), [Operator("-"), Name("n"), Operator("MOD")]);
+        assert_eq!(named("x - 2.5E-3 * 1.0E+3-4.0"), [Name("x"), Operator("-"), Operator("*"), Operator("-")]);
         assert_eq!(named("n > -3 AND -n < 2"), [Name("n"), Name("AND"), Name("n")]);
         assert_eq!(
             named("valid(level := (a + 1)) OR b"),
