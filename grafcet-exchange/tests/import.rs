@@ -249,7 +249,7 @@ fn garbage() {
     let words = include_str!("../../tests/imported/words.st");
     let blocks = include_str!("../../tests/imported/blocks.st");
     for text in [&*xml[0], &*xml[1], STATION, words, blocks] {
-        for end in (0..text.len()).step_by(3) {
+        for end in (0..text.len()).step_by(text.len() / 250 + 1) {
             if text.is_char_boundary(end) {
                 _ = import(&text[..end], "there");
             }
@@ -283,7 +283,7 @@ fn garbage() {
             "#",
             ".",
         ];
-        for _ in 0..800 {
+        for _ in 0..250 {
             let mut changed = text.to_owned();
             for _ in 0..=random(3) {
                 let (from, length) = (random(changed.len()), random(12));
