@@ -285,6 +285,28 @@ fn a_timeline_of_the_flip_flops() {
     assert_eq!(scan(4_600, true, true), [0, 1, 1, 0, 0, 1, 0, 1, 7, 2, 1]);
 }
 
+/// A source transition is enabled without a step, a sink transition leaves none.
+#[test]
+fn sources_and_sinks_of_flip_flops() {
+    let chart =
+        "grafcet Feed { input part, go, gone: bool; output busy: bool; initial step Ready; step In { busy; } step Out;
+        () -[rising(part)]-> In; (Ready, In) -[rising(go)]-> (Ready, Out); Out -[rising(gone)]-> (); }";
+    let text = program(chart, Form::FlipFlops);
+    assert!(text.contains("Tr_1 : BOOL; // () to In\n"), "{text}");
+    let mut machine = Machine::new(&text).expect("understood");
+    let names = ["SR_Ready", "SR_In", "SR_Out", "busy"];
+    let mut scan = |part, go, gone| scan(&mut machine, 0, &[("part", part), ("go", go), ("gone", gone)], &names);
+    assert_eq!(scan(false, false, false), [1, 0, 0, 0]);
+    assert_eq!(scan(true, false, false), [1, 1, 0, 1]);
+    assert_eq!(scan(true, false, false), [1, 1, 0, 1]);
+    assert_eq!(scan(false, true, false), [1, 0, 1, 0]);
+    // What is entered is active beside what is there.
+    assert_eq!(scan(true, true, false), [1, 1, 1, 1]);
+    assert_eq!(scan(false, false, true), [1, 1, 0, 1]);
+    // Active already, it stays so.
+    assert_eq!(scan(true, true, false), [1, 1, 1, 1]);
+}
+
 /// What is on in the first scan has not risen, nor has it after `Init`.
 #[test]
 fn no_edge_at_the_beginning() {

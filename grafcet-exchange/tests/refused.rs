@@ -47,7 +47,7 @@ const CASES: [(&[Form], &str, &str); 26] = [
         "partial grafcets",
     ),
     (
-        &BOTH,
+        &CASE,
         "grafcet C { input a: bool; initial step A; step B; A -[a]-> B -[!a]-> A; () -[rising(a)]-> A; }",
         "source and sink transitions",
     ),

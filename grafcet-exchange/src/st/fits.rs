@@ -11,6 +11,9 @@ use crate::Refused;
 pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
     let mut refused = Vec::new();
     structure(model, &mut refused);
+    if form == Form::Case {
+        loose(model, "the CASE form of structured text: use the form of flip-flops", &mut refused);
+    }
     types(model, true, &mut refused);
     if refused.is_empty() && form == Form::Case {
         refused.extend(several(model));
@@ -31,10 +34,14 @@ pub(crate) fn structure(model: &Model, refused: &mut Vec<Refused>) {
     for force in model.forces.values() {
         refused.push(Refused::at(force.mark, "forcing orders have no translation into structured text"));
     }
+}
+
+/// Transitions without a step in front of them or behind them.
+fn loose(model: &Model, into: &str, refused: &mut Vec<Refused>) {
     for transition in model.transitions.values() {
         if transition.sources.is_empty() || transition.targets.is_empty() {
             let why =
-                "source and sink transitions have no translation into structured text: give it a step at both ends";
+                format!("source and sink transitions have no translation into {into}, or give it a step at both ends");
             refused.push(Refused::at(transition.mark, why));
         }
     }

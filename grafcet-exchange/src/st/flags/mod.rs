@@ -41,7 +41,8 @@ fn is_single(model: &Model) -> bool {
     let facts = Facts::of(model);
     let steps: Vec<StepId> = model.steps.ids().collect();
     let together = |(index, a): (usize, &StepId)| steps[index + 1..].iter().any(|b| facts.concurrency.together(*a, *b));
-    facts.initial.len() == 1 && !steps.iter().enumerate().any(together)
+    let loose = model.transitions.values().any(|transition| transition.sources.is_empty());
+    facts.initial.len() == 1 && !loose && !steps.iter().enumerate().any(together)
 }
 
 struct Flags<'m> {
@@ -191,7 +192,7 @@ impl<'m> Flags<'m> {
             }
             let names = |steps: &[StepId]| {
                 let names: Vec<String> = steps.iter().map(|step| plain(&model.steps[*step].name)).collect();
-                names.join(", ")
+                if names.is_empty() { "()".to_owned() } else { names.join(", ") }
             };
             let note = format!("{} to {}", names(&transition.sources), names(&transition.targets));
             let name = self.transitions[id.index()].clone();
