@@ -307,6 +307,25 @@ fn sources_and_sinks_of_flip_flops() {
     assert_eq!(scan(true, true, false), [1, 1, 1, 1]);
 }
 
+/// Partial grafcets stand beside each other and look at each other's steps.
+#[test]
+fn partial_grafcets_of_flip_flops() {
+    let chart = "grafcet Cell { input a, b: bool; output p, q: bool;
+        partial Left { initial step Ready; step Work { p; } Ready -[a && Idle.X]-> Work -[2s/Work]-> Ready; }
+        partial Right { initial step Idle; step Run { q; } Idle -[b && !Left::Work.X]-> Run -[!b]-> Idle; } }";
+    let mut machine = Machine::new(&program(chart, Form::FlipFlops)).expect("understood");
+    let names = ["SR_Ready", "SR_Work", "SR_Idle", "SR_Run", "p", "q"];
+    let mut scan = |now, a, b| scan(&mut machine, now, &[("a", a), ("b", b)], &names);
+    assert_eq!(scan(0, true, true), [1, 0, 1, 0, 0, 0]);
+    // Both look at the situation of the scan before.
+    assert_eq!(scan(100, true, true), [0, 1, 0, 1, 1, 1]);
+    assert_eq!(scan(2_000, true, false), [0, 1, 1, 0, 1, 0]);
+    assert_eq!(scan(2_099, true, true), [0, 1, 1, 0, 1, 0]);
+    assert_eq!(scan(2_100, false, true), [1, 0, 1, 0, 0, 0]);
+    assert_eq!(scan(2_200, false, true), [1, 0, 0, 1, 0, 1]);
+    assert_eq!(scan(2_300, true, true), [1, 0, 0, 1, 0, 1]);
+}
+
 /// What is on in the first scan has not risen, nor has it after `Init`.
 #[test]
 fn no_edge_at_the_beginning() {

@@ -10,7 +10,7 @@ const CASE: [Form; 1] = [Form::Case];
 const FLIP_FLOPS: [Form; 1] = [Form::FlipFlops];
 
 /// The forms that refuse a chart, and why.
-const CASES: [(&[Form], &str, &str); 26] = [
+const CASES: [(&[Form], &str, &str); 28] = [
     (
         &BOTH,
         "sfc C { input go: bool; var last: Mode in {Off, Auto} = Mode::Off; initial step A; step B { P1 last = Other::Auto; } A -[go]-> B -[!go && last == Mode::Off]-> A; }",
@@ -42,9 +42,19 @@ const CASES: [(&[Form], &str, &str); 26] = [
         "`blink` since a macro-step",
     ),
     (
-        &BOTH,
+        &CASE,
         "grafcet C { input a: bool; partial Net { initial step A; step B; A -[a]-> B -[!a]-> A; } }",
         "partial grafcets",
+    ),
+    (
+        &BOTH,
+        "grafcet C { input a: bool; partial Net { initial step A; enclosing step B { partial Inner { linked step I; step J; I -[a]-> J -[!a]-> I; } } A -[a]-> B -[!a]-> A; } }",
+        "enclosing steps have no translation",
+    ),
+    (
+        &BOTH,
+        "grafcet C { input a: bool; partial Up { initial step A; step B { force Down {}; } A -[a]-> B -[!a]-> A; } partial Down { initial step I; step J; I -[a]-> J -[!a]-> I; } }",
+        "forcing orders have no translation",
     ),
     (
         &CASE,

@@ -12,6 +12,7 @@ pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
     let mut refused = Vec::new();
     structure(model, &mut refused);
     if form == Form::Case {
+        partials(model, "the CASE form of structured text: use the form of flip-flops", &mut refused);
         loose(model, "the CASE form of structured text: use the form of flip-flops", &mut refused);
     }
     types(model, true, &mut refused);
@@ -24,15 +25,23 @@ pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
     refused
 }
 
+/// What one part of the chart does to another.
 pub(crate) fn structure(model: &Model, refused: &mut Vec<Refused>) {
-    for partial in model.partials.values() {
-        if let Some(name) = &partial.name {
-            let why = "partial grafcets and enclosing steps have no translation into structured text: export a chart of one net";
-            refused.push(Refused::at(name.into(), why));
-        }
+    for step in model.steps.values().filter(|step| !step.encloses.is_empty()) {
+        refused.push(Refused::at((&step.name).into(), "enclosing steps have no translation into structured text"));
     }
     for force in model.forces.values() {
         refused.push(Refused::at(force.mark, "forcing orders have no translation into structured text"));
+    }
+}
+
+/// Nets that stand beside each other.
+pub(crate) fn partials(model: &Model, into: &str, refused: &mut Vec<Refused>) {
+    for partial in model.partials.values().filter(|partial| partial.enclosed_by.is_none()) {
+        if let Some(name) = &partial.name {
+            let why = format!("partial grafcets have no translation into {into}, or export a chart of one net");
+            refused.push(Refused::at(name.into(), why));
+        }
     }
 }
 
