@@ -5,6 +5,7 @@ use grafcet_compiler::program::passes::{Pass, optimise};
 use grafcet_compiler::program::{Comparison, Encoding, Expr, PlaceId, Program, Role, Statement, Type, Value};
 use grafcet_conformance::program::program as optimised;
 
+use super::passes::kettle;
 use super::read;
 use super::regions::CELL;
 
@@ -211,6 +212,52 @@ fn what_begins_alike_is_set_where_it_may_have_changed() {
         };
         let left = bodies.flatten().filter(writes).count();
         assert_eq!(left, kept, "{what}: {program}");
+    }
+}
+
+/// That branches tell by their states whether they have moved needs that each way says rightly whether it has.
+#[test]
+fn ways_that_do_not_tell_whether_they_have_moved_keep_saying_it() {
+    fn each<'m>(statements: &mut [Statement<'m>], found: &mut dyn FnMut(PlaceId, &mut Expr<'m>)) {
+        for statement in statements {
+            match statement {
+                Statement::Set(place, value) => found(*place, value),
+                Statement::If(_, then, otherwise) => {
+                    each(then, found);
+                    each(otherwise, found);
+                }
+                Statement::Match(_, arms, otherwise) => {
+                    for (_, body) in arms {
+                        each(body, found);
+                    }
+                    each(otherwise, found);
+                }
+                Statement::Part(_, body) | Statement::Loop { body, .. } => each(body, found),
+                _ => {}
+            }
+        }
+    }
+    let model = read(&kettle(""));
+    let passes: Vec<Pass> = Pass::ALL.into_iter().take_while(|pass| *pass != Pass::Before).collect();
+    let naive = || optimised(&model, Encoding::Regions, &passes).expect("a program");
+    let settled = naive().place(Role::Settled).expect("what is told");
+    let says = |wrong: Option<usize>| {
+        let (mut program, mut said) = (naive(), 0);
+        each(&mut program.cycle, &mut |place, value| {
+            if let (true, Expr::Value(Value::Bool(says))) = (place == settled, value) {
+                *says ^= wrong == Some(said);
+                said += 1;
+            }
+        });
+        optimise(&mut program, &[Pass::Before]);
+        let mut left = 0;
+        each(&mut program.cycle, &mut |place, _| left += usize::from(place == settled));
+        (said, left)
+    };
+    // The last one says it by what has cleared.
+    assert_eq!(says(None), (3, 0));
+    for wrong in 0..3 {
+        assert_eq!(says(Some(wrong)), (3, 4), "the way {wrong}");
     }
 }
 
