@@ -35,7 +35,7 @@ fn judged(text: &str) -> Vec<Result<Option<usize>, String>> {
         Verdict::Undecided(why) => Err(why),
         Verdict::Endless { .. } => panic!("it is about no cycles that come again"),
     };
-    within(&model, &|| Limit::time(std::time::Duration::from_secs(10))).into_iter().map(verdict).collect()
+    within(&model, &|| Limit::time(std::time::Duration::from_secs(120))).into_iter().map(verdict).collect()
 }
 
 /// The errors of the macro, with a solver or without.

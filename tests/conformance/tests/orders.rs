@@ -38,7 +38,7 @@ fn broken(text: &str) -> Vec<Option<usize>> {
     assert!(messages.is_empty(), "{messages:?}");
     let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
-    let limit = Limit::time(Duration::from_secs(60));
+    let limit = Limit::time(Duration::from_secs(600));
     let verdict = |property: usize| {
         let bad = circuit.bad.iter().find(|bad| bad.property == property);
         let live = circuit.live.iter().find(|live| live.property == property);
@@ -190,7 +190,7 @@ fn it_says_nothing_only_where_that_is_proved() {
     let model = plant::model(text.parse().expect("tokens"), &mut sink).expect("a chart");
     let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
-    let limit = Limit::time(Duration::from_secs(60));
+    let limit = Limit::time(Duration::from_secs(600));
     let nothing = |order| says_nothing(&circuit, order, &limit).expect("no internal error").is_some();
     assert_eq!([nothing(0), nothing(1)], [false, true]);
 }

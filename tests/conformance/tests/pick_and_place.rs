@@ -35,7 +35,7 @@ fn verdicts(text: &str, asked: &[usize]) -> Vec<Verdict> {
     assert!(messages.is_empty(), "{messages:?}");
     let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
-    let limit = || Limit::time(Duration::from_secs(300));
+    let limit = || Limit::time(Duration::from_secs(600));
     let verdict = |property: usize| {
         let bad = circuit.bad.iter().find(|bad| bad.property == property).expect("it is modelled");
         decide(&program, &circuit, *bad, &limit()).expect("no internal error")

@@ -69,7 +69,7 @@ fn read(text: &str) -> Model {
 fn verdicts(model: &Model) -> Vec<Verdict> {
     let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
-    let limit = || Limit::time(Duration::from_secs(300));
+    let limit = || Limit::time(Duration::from_secs(600));
     let verdict = |property| match circuit.bad.iter().find(|bad| bad.property == property) {
         Some(bad) => decide(&program, &circuit, *bad, &limit()),
         None => {

@@ -23,7 +23,8 @@ fn read(text: &str) -> Model {
 fn verdicts(model: &Model) -> Vec<Verdict> {
     let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
-    let decided = circuit.bad.iter().map(|bad| decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(60))));
+    let decided =
+        circuit.bad.iter().map(|bad| decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(600))));
     decided.collect::<Result<_, _>>().expect("no internal error")
 }
 

@@ -28,7 +28,7 @@ fn verdicts(text: &str) -> Vec<String> {
     let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let decided = (0..model.properties.len()).map(|property| {
-        let limit = Limit::time(Duration::from_secs(60));
+        let limit = Limit::time(Duration::from_secs(600));
         let bad = circuit.bad.iter().find(|bad| bad.property == property);
         let live = circuit.live.iter().find(|live| live.property == property);
         let verdict = match (bad, live) {
