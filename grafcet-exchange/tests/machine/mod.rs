@@ -49,13 +49,13 @@ impl Real {
 }
 
 impl Value {
-    /// As charts are compared: `true` is 1.
+    /// As charts are compared: `true` is 1, and a float its bits.
     pub(crate) fn number(self) -> i128 {
         match self {
             Self::Bool(value) => i128::from(value),
             Self::Int(value) => value,
             Self::Time(ms) => i128::from(ms),
-            Self::Real(_) => panic!("a float is no number of a timeline"),
+            Self::Real(real) => i128::from(real.bits),
         }
     }
 }

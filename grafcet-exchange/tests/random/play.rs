@@ -6,7 +6,7 @@ use grafcet_compiler::model::{Id, Model, Name, Ty, VarId};
 use grafcet_exchange::st::{Form, Order, StructuredText};
 use grafcet_sim::interp::{self, Interpreter};
 
-use crate::machine::{Dialect, Machine, Value};
+use crate::machine::{Dialect, Machine, Real, Value};
 use crate::reader::{Kind, Line};
 use crate::shifted::Shifted;
 
@@ -115,6 +115,7 @@ impl Pair<'_> {
         match ty {
             Ty::Bool(_) => Value::Bool(number != 0),
             Ty::Time(_) => Value::Time(u64::try_from(number).unwrap_or(0) * self.model.clock_nanos / 1_000_000),
+            Ty::Other(_) if ty.is_float() => Value::Real(Real::new(whole(number), Some(is_single(ty)))),
             _ => Value::Int(number),
         }
     }
@@ -232,8 +233,18 @@ pub(crate) fn value(number: i128, ty: &Ty) -> interp::Value {
     match ty {
         Ty::Bool(_) => interp::Value::Bool(number != 0),
         Ty::Time(_) => interp::Value::Ticks(u32::try_from(number).unwrap_or(u32::MAX)),
+        Ty::Other(_) if ty.is_float() => interp::Value::Real(interp::Real(whole(number))),
         _ => interp::Value::Int(number),
     }
+}
+
+/// A float of a timeline.
+fn whole(number: i128) -> f64 {
+    f64::from(i32::try_from(number).unwrap_or(i32::MAX))
+}
+
+fn is_single(ty: &Ty) -> bool {
+    matches!(ty, Ty::Other(syn::Type::Path(path)) if path.path.is_ident("f32"))
 }
 
 pub(crate) fn number(value: interp::Value) -> i128 {
@@ -241,6 +252,7 @@ pub(crate) fn number(value: interp::Value) -> i128 {
         interp::Value::Bool(value) => i128::from(value),
         interp::Value::Int(value) => value,
         interp::Value::Ticks(value) => i128::from(value),
+        interp::Value::Real(real) => i128::from(real.0.to_bits()),
         other => unreachable!("no chart of the comparison has a {other:?}"),
     }
 }
