@@ -303,7 +303,7 @@ fn sources_and_sinks_of_flip_flops() {
     // What is entered is active beside what is there.
     assert_eq!(scan(true, true, false), [1, 1, 1, 1]);
     assert_eq!(scan(false, false, true), [1, 1, 0, 1]);
-    // Active already, it stays so.
+    // Left and entered at once, it stays active.
     assert_eq!(scan(true, true, false), [1, 1, 1, 1]);
 }
 

@@ -20,7 +20,7 @@ const OVEN: &str = "Oven { input start: bool; input level: f32; input rate: f64;
     step Soak { warm if level < 40.25; P1 power = rate * 1.1 + worst; }
     step Cool { P1 worst = -rate - 2.; }
     Wait -[start && level < high - 2.5]-> Fill -[level >= high || sum > 2.5e1]-> Soak -[!start || level * 0.5 <= 10.0]-> Cool;
-    Fill -[!start && sum == sum]-> Wait; Cool -[rate / 3.0 != worst && level - high < 0.0]-> Wait; }";
+    Fill -[!start && sum == sum || start && level < 55.0 && rising(level * 2.0 > 30.5)]-> Wait; Cool -[rate / 3.0 != worst && level - high < 0.0]-> Wait; }";
 
 const FLAVOURS: [(Flavour, Dialect); 3] =
     [(Flavour::Iec, Dialect::Iec), (Flavour::Codesys, Dialect::Codesys), (Flavour::Tia, Dialect::Tia)];

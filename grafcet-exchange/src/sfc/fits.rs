@@ -13,7 +13,6 @@ pub(super) fn refused(model: &Model) -> Vec<Refused> {
     }
     let mut refused = Vec::new();
     st::structure(model, &mut refused);
-    st::partials(model, "SFC of IEC 61131-3", &mut refused);
     st::types(model, false, &mut refused);
     if refused.is_empty() {
         st::anys(model, &mut refused);

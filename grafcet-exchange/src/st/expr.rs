@@ -406,7 +406,7 @@ impl<'m> Scope<'m> {
 
 /// Inputs and parameters, which no action writes.
 pub(crate) fn reads_inputs_alone(tree: &Tree) -> bool {
-    let mut alone = !tree.is_opaque();
+    let mut alone = !real::is_rust(tree);
     tree.each_read(&mut |read| alone &= matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_)));
     alone
 }

@@ -12,8 +12,8 @@ pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
     let mut refused = Vec::new();
     structure(model, &mut refused);
     if form == Form::Case {
-        partials(model, "the CASE form of structured text: use the form of flip-flops", &mut refused);
-        loose(model, "the CASE form of structured text: use the form of flip-flops", &mut refused);
+        partials(model, &mut refused);
+        loose(model, &mut refused);
     }
     types(model, true, &mut refused);
     if refused.is_empty() && form == Form::Case {
@@ -36,21 +36,20 @@ pub(crate) fn structure(model: &Model, refused: &mut Vec<Refused>) {
 }
 
 /// Nets that stand beside each other.
-pub(crate) fn partials(model: &Model, into: &str, refused: &mut Vec<Refused>) {
+fn partials(model: &Model, refused: &mut Vec<Refused>) {
     for partial in model.partials.values().filter(|partial| partial.enclosed_by.is_none()) {
         if let Some(name) = &partial.name {
-            let why = format!("partial grafcets have no translation into {into}, or export a chart of one net");
+            let why = "partial grafcets have no translation into the CASE form of structured text: use the form of flip-flops, or export a chart of one net";
             refused.push(Refused::at(name.into(), why));
         }
     }
 }
 
 /// Transitions without a step in front of them or behind them.
-fn loose(model: &Model, into: &str, refused: &mut Vec<Refused>) {
+fn loose(model: &Model, refused: &mut Vec<Refused>) {
     for transition in model.transitions.values() {
         if transition.sources.is_empty() || transition.targets.is_empty() {
-            let why =
-                format!("source and sink transitions have no translation into {into}, or give it a step at both ends");
+            let why = "source and sink transitions have no translation into the CASE form of structured text: use the form of flip-flops, or give it a step at both ends";
             refused.push(Refused::at(transition.mark, why));
         }
     }

@@ -105,7 +105,7 @@ pub(crate) fn initial(scope: &mut Scope<'_>, name: Name) -> Result<String, Refus
         return variant(listed, init, model.value_name(name));
     }
     match init {
-        Some(init) if init.tree.is_opaque() && !real::is_literal(&init.tree) => {
+        Some(init) if real::is_rust(&init.tree) => {
             let message = format!(
                 "`{}` is a constant of the program, whose value the chart does not tell: write the value",
                 init.text

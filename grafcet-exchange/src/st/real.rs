@@ -1,6 +1,6 @@
 //! Floats: `REAL` and `LREAL`, by the same arithmetic (IEEE 754).
 
-use grafcet_compiler::model::{Tree, Unary};
+use grafcet_compiler::model::Tree;
 
 /// `2.5E-3` of a literal of Rust such as `2.5e-3` or `2.5e-3f32`; none of what is no float.
 pub(super) fn literal(text: &str) -> Option<String> {
@@ -21,11 +21,12 @@ pub(super) fn literal(text: &str) -> Option<String> {
     Some(format!("{whole}.{part}{exponent}"))
 }
 
-/// Whether it is a literal, with its sign.
-pub(super) fn is_literal(tree: &Tree) -> bool {
+/// Whether something in it is Rust that is not looked into; a literal is not.
+pub(super) fn is_rust(tree: &Tree) -> bool {
     match tree {
-        Tree::Unary(Unary::Neg, inner) => is_literal(inner),
-        Tree::Opaque { text, .. } => literal(text).is_some(),
+        Tree::Opaque { text, .. } => literal(text).is_none(),
+        Tree::Unary(_, inner) => is_rust(inner),
+        Tree::Binary(_, a, b) => is_rust(a) || is_rust(b),
         _ => false,
     }
 }
@@ -34,15 +35,6 @@ pub(super) fn is_literal(tree: &Tree) -> bool {
 pub(super) fn is_above_zero(tree: &Tree) -> bool {
     let Tree::Opaque { text, .. } = tree else { return false };
     literal(text).and_then(|number| number.parse::<f64>().ok()).is_some_and(|number| number > 0.0)
-}
-
-/// What stands for nothing in a type of structured text.
-pub(super) fn nothing(ty: &str) -> &'static str {
-    match ty {
-        "BOOL" => "FALSE",
-        "REAL" | "LREAL" => "0.0",
-        _ => "0",
-    }
 }
 
 #[cfg(test)]

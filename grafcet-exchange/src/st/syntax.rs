@@ -1,7 +1,5 @@
 //! A program of structured text as data, and as text.
 
-use super::real;
-
 /// A statement.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Statement {
@@ -130,12 +128,21 @@ impl Stub {
         declare(text, "VAR_INPUT", &self.inputs);
         push(text, 1, &comment(&format!("TO BE WRITTEN, in Rust: {}", self.rust)));
         if let Some(ty) = &self.ty {
-            let nothing = real::nothing(ty);
+            let nothing = nothing(ty);
             push(text, 1, &format!("{} := {nothing};", self.name));
         } else {
             push(text, 1, ";");
         }
         push(text, 0, end);
+    }
+}
+
+/// What stands for nothing in a type of structured text.
+pub(super) fn nothing(ty: &str) -> &'static str {
+    match ty {
+        "BOOL" => "FALSE",
+        "REAL" | "LREAL" => "0.0",
+        _ => "0",
     }
 }
 

@@ -23,7 +23,7 @@ use super::time::LONGEST;
 use super::{Options, header};
 use crate::Refused;
 
-/// The program of a chart of one net.
+/// The program of a chart: of one net, or of partial grafcets beside each other.
 pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
     let written = written(model)?;
     let mut refused = Vec::new();

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use super::words::{Word, words};
 use super::{change, named, parts};
-use crate::st::real;
-use crate::st::syntax::{Program, Stub, comment, declare, push, statements};
+use crate::st::syntax::{Program, Stub, comment, declare, nothing, push, statements};
 
 /// What is narrower than the numbers that CODESYS computes with.
 const NARROW: [&str; 5] = ["SINT", "USINT", "INT", "UINT", "REAL"];
@@ -58,7 +57,7 @@ pub(super) fn text(mut program: Program) -> String {
 fn to_write(stub: &Stub, text: &mut String) {
     let (begin, end, value) = match &stub.ty {
         Some(ty) => {
-            let nothing = real::nothing(ty);
+            let nothing = nothing(ty);
             (format!("FUNCTION {} : {ty}", stub.name), "END_FUNCTION", format!("{} := {nothing};", stub.name))
         }
         None => (format!("FUNCTION_BLOCK {}", stub.name), "END_FUNCTION_BLOCK", ";".to_owned()),

@@ -4,8 +4,7 @@ use std::collections::BTreeSet;
 
 use super::words::{Word, words};
 use super::{change, named, parts};
-use crate::st::real;
-use crate::st::syntax::{Program, Stub, Variable, comment, declare, push, statements};
+use crate::st::syntax::{Program, Stub, Variable, comment, declare, nothing, push, statements};
 
 /// Types of 64 bits.
 const WIDE: [&str; 2] = ["LINT", "ULINT"];
@@ -103,7 +102,7 @@ fn begin(text: &mut String, title: &str) {
 fn to_write(stub: &Stub, text: &mut String) {
     let (title, end, value) = match &stub.ty {
         Some(ty) => {
-            let nothing = real::nothing(ty);
+            let nothing = nothing(ty);
             let title = format!("FUNCTION \"{}\" : {ty}", stub.name);
             (title, "END_FUNCTION", format!("#{} := {nothing};", stub.name))
         }
