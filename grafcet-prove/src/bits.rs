@@ -13,6 +13,11 @@ pub(crate) fn constant(value: i128) -> Bits {
     bits.into()
 }
 
+/// How many wires without a sign numbers take that are at most so large; one at least.
+pub(crate) fn width(most: usize) -> usize {
+    (usize::BITS - most.leading_zeros()).max(1) as usize
+}
+
 /// The value, where it is a constant.
 pub(crate) fn known(bits: &[Lit]) -> Option<i128> {
     let mut value: i128 = 0;

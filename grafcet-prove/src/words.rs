@@ -1,7 +1,7 @@
 //! Proofs in the words of the chart: what a cube excludes, place by place.
 
-use grafcet_compiler::model::StepId;
-use grafcet_compiler::program::{Program, Type};
+use grafcet_compiler::model::{Name, StepId};
+use grafcet_compiler::program::{Program, Role, Type};
 
 use crate::circuit::{Circuit, Field};
 use crate::lemmas::{About, Relation};
@@ -110,7 +110,11 @@ fn of_clock(program: &Program<'_>, about: About, known: &[About]) -> Option<Stri
 fn part(program: &Program<'_>, field: &Field, bits: &[Option<bool>]) -> String {
     let program = field.program(program);
     let ty = field.place.map(|place| program.places[place.0].ty);
-    if field.width == 1 && !matches!(ty, Some(Type::State(_))) {
+    let variants = field.place.and_then(|place| match program.places[place.0].role {
+        Role::Var(id) => program.model.variants_of(Name::Var(id)),
+        _ => None,
+    });
+    if field.width == 1 && variants.is_none() && !matches!(ty, Some(Type::State(_))) {
         let not = if bits[0] == Some(true) { "" } else { "not " };
         return format!("{not}{}", field.name);
     }
@@ -134,6 +138,11 @@ fn part(program: &Program<'_>, field: &Field, bits: &[Option<bool>]) -> String {
                 Some(index) => names.extend(steps.get(index).map(|step| program.model.steps[*step].name.to_string())),
             }
         }
+        return format!("{} in {{{}}}", field.name, names.join(", "));
+    }
+    if let Some(variants) = variants {
+        let names: Vec<String> =
+            values.iter().map(|place| variants.text(*place, *place)).filter(|name| !name.is_empty()).collect();
         return format!("{} in {{{}}}", field.name, names.join(", "));
     }
     let ranges = ranges(&values);

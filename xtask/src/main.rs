@@ -69,7 +69,7 @@ Usage: cargo xtask <task>
             those whose name holds WORD. An hour, or more
   prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE]
             what the charts of a file claim, proved or refuted
-  prove --random N [--first N] [--cycles N] [--abc]
+  prove --random N [--first N] [--kind KIND] [--abc]
             the same of random charts, beside a naive exploration, and beside abc (berkeley-abc)
   record    run a chart with the flight recorder in QEMU, reset the board in the middle, and show from its record what happened
   record test RECORD SOURCE CHART FOLDER

@@ -299,6 +299,16 @@ impl Variants {
         all.map(|(variant, _)| variant.name.to_string()).list().join(" or ")
     }
 
+    /// The place in the list of a variant that is written as a path, `Mode::Auto`.
+    #[must_use]
+    pub fn place_of(&self, path: &str) -> Option<usize> {
+        let (ty, name) = path.rsplit_once("::")?;
+        let ty = ty.rsplit("::").next()?.trim();
+        let same = self.path.segments.last().is_some_and(|segment| segment.ident == ty);
+        let name = name.trim();
+        self.list.iter().position(|variant| same && !variant.has_data && variant.name == name)
+    }
+
     /// The first and the last place in the list.
     #[must_use]
     pub fn range(&self) -> (i128, i128) {

@@ -166,7 +166,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
     /// How many bits a field has, and whether the last one is a sign; none where nothing is known about its type.
     pub(super) fn shape(&self, id: PlaceId) -> Result<Option<(usize, bool)>, Refused> {
         let place = &self.program.places[id.0];
-        let bits = |most: usize| (usize::BITS - most.leading_zeros()).max(1) as usize;
+        let bits = bits::width;
         Ok(Some(match place.ty {
             Type::Bool | Type::Phase | Type::User(Ty::Bool(_)) => (1, false),
             Type::Ticks | Type::User(Ty::Time(_)) => (self.clock.width, false),
@@ -177,22 +177,19 @@ impl<'p, 'm> Lowering<'p, 'm> {
                 Some(width) => (width.bits, width.signed),
                 None => return Ok(None),
             },
-            Type::User(Ty::Other(_)) => {
-                let name = match place.role {
-                    Role::Output(id) => Name::Output(id),
-                    Role::Var(id) => Name::Var(id),
-                    _ => return Ok(None),
-                };
-                match self.program.model.variants_of(name) {
-                    Some(variants) => (bits(variants.list.len()), false),
-                    None => return Ok(None),
-                }
-            }
+            Type::User(Ty::Other(_)) => match self.variants(id) {
+                Some(variants) => (bits(variants.list.len() - 1), false),
+                None => return Ok(None),
+            },
         }))
     }
 
-    pub(super) fn variants(&self, name: grafcet_compiler::model::Place) -> Option<&Variants> {
-        self.program.model.variants_of(name.into())
+    /// The variants that the chart lists of what a place holds.
+    pub(super) fn variants(&self, id: PlaceId) -> Option<&'m Variants> {
+        match self.program.places[id.0].role {
+            Role::Var(id) => self.program.model.variants_of(Name::Var(id)),
+            _ => None,
+        }
     }
 
     /// The lowest wires of a value; where it does not fit, which happens to nothing but numbers, the circuit would be wrong.

@@ -1,7 +1,7 @@
 //! What a chart is given, and what its places begin with.
 
 use grafcet_compiler::model::{Expr as Written, Name, ParamId, Read, Ty};
-use grafcet_compiler::program::{Initial, Type, Value};
+use grafcet_compiler::program::{Initial, PlaceId, Type, Value};
 
 use super::sym::{Sym, Width};
 use super::{Lowering, Refused, Source, Wire};
@@ -40,7 +40,7 @@ impl Lowering<'_, '_> {
                 None => return Err(Refused(text.to_owned())),
             },
             Ty::Other(_) => match self.program.model.variants_of(name) {
-                Some(variants) => ((usize::BITS - (variants.list.len() - 1).leading_zeros()).max(1) as usize, false),
+                Some(variants) => (bits::width(variants.list.len() - 1), false),
                 None => return Ok(Sym::Free(self.free(text, Vec::new(), true))),
             },
         };
@@ -63,12 +63,12 @@ impl Lowering<'_, '_> {
 
     /// What the places begin with.
     pub(super) fn initials(&mut self) -> Result<(), Refused> {
-        for place in &self.program.places {
+        for (index, place) in self.program.places.iter().enumerate() {
             let sym = match place.initial {
                 Initial::Value(value) => self.value(value)?,
                 Initial::Constant(expr) => {
                     let sym = self.constant(expr)?;
-                    self.placed(sym, place.ty)?
+                    self.kept(sym, PlaceId(index))?
                 }
                 Initial::Default => match place.ty {
                     Type::Bool | Type::User(Ty::Bool(_)) => Sym::bool(false),

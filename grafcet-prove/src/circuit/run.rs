@@ -163,7 +163,7 @@ impl<'m> Lowering<'_, 'm> {
     }
 
     fn write(&mut self, env: &mut Env, place: PlaceId, value: Sym) -> Result<(), Refused> {
-        let value = self.placed(value, self.program.places[place.0].ty)?;
+        let value = self.kept(value, place)?;
         Rc::make_mut(env)[place.0] = value;
         Ok(())
     }
@@ -178,7 +178,7 @@ impl<'m> Lowering<'_, 'm> {
         for write in &run.writes {
             let sym = Sym::Free(self.free(&run.code.text, Vec::new(), true));
             let sym = match self.program.places[write.to.0].ty {
-                Type::User(Ty::Other(_)) if self.variants(write.name).is_some() => {
+                Type::User(Ty::Other(_)) if self.variants(write.to).is_some() => {
                     return Err(Refused("a block that writes an enum and is not looked into".to_owned()));
                 }
                 _ => sym,

@@ -1,8 +1,9 @@
 //! Values as wires.
 
-use grafcet_compiler::model::{Id, StepId, Ty};
-use grafcet_compiler::program::{Program, Type, Value};
+use grafcet_compiler::model::{Id, StepId, Ty, Variants};
+use grafcet_compiler::program::{PlaceId, Program, Type, Value};
 
+use super::free::Origin;
 use super::{Lowering, Refused};
 use crate::aig::Lit;
 use crate::bits::{self, Bits};
@@ -147,6 +148,43 @@ impl<'m> Lowering<'_, 'm> {
             | (Type::Phase | Type::User(_), sym) => Ok(sym),
             _ => Err(Refused("a value of another type".to_owned())),
         }
+    }
+
+    /// What a place keeps of a value: of an enum whose variants the chart lists, the variant's place in the list.
+    pub(super) fn kept(&mut self, sym: Sym, place: PlaceId) -> Result<Sym, Refused> {
+        match self.variants(place) {
+            Some(variants) => self.variant(sym, variants),
+            None => self.placed(sym, self.program.places[place.0].ty),
+        }
+    }
+
+    /// The place of a variant in its list.
+    fn variant(&mut self, sym: Sym, variants: &Variants) -> Result<Sym, Refused> {
+        match sym {
+            Sym::Int(..) => Ok(sym),
+            Sym::Free(id) => self.free_variant(id, variants),
+            _ => Err(Refused("a variant that is none".to_owned())),
+        }
+    }
+
+    /// The same of Rust: the path of a variant, one of two, or any.
+    fn free_variant(&mut self, id: FreeId, variants: &Variants) -> Result<Sym, Refused> {
+        let text = match &self.origins[id] {
+            Origin::Rust(text) => text,
+            Origin::Choice(condition, then, otherwise) => {
+                let (condition, then, otherwise) = (*condition, then.clone(), otherwise.clone());
+                let (then, otherwise) = (self.variant(then, variants)?, self.variant(otherwise, variants)?);
+                return self.mux(condition, &then, &otherwise);
+            }
+        };
+        if let Some(place) = variants.place_of(text) {
+            return Ok(Sym::int(i128::try_from(place).unwrap_or(0)));
+        }
+        let count = variants.list.len();
+        let bits = self.free_bits(id, bits::width(count - 1), false)?;
+        let is_one = bits::below(&mut self.aig, &bits, &bits::constant(i128::try_from(count).unwrap_or(0)));
+        self.constraint = self.aig.and(self.constraint, is_one);
+        Ok(Sym::Int(bits, None))
     }
 
     /// An integer in its type.

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::Model;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_prove::circuit::{Bad, Circuit, Live};
 use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, vacuous};
 
@@ -23,10 +23,17 @@ pub struct Kind {
     pub timed: bool,
     /// With properties over several cycles.
     pub several: bool,
-    /// The most cycles of brute force.
-    pub cycles: usize,
     /// `abc` is asked, too.
     pub abc: bool,
+}
+
+/// How far is looked.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    /// The most cycles of brute force.
+    pub cycles: usize,
+    /// For each property.
+    pub time: Duration,
 }
 
 /// How many properties came out how.
@@ -54,25 +61,56 @@ pub struct Counts {
     pub asked: usize,
 }
 
+impl Counts {
+    /// All properties of which something was said.
+    #[must_use]
+    pub fn properties(&self) -> usize {
+        self.proved + self.broken + self.homes.0 + self.homes.1 + self.undecided.len()
+    }
+
+    /// What others found, too.
+    pub fn add(&mut self, other: Self) {
+        self.charts += other.charts;
+        self.params += other.params;
+        self.proved += other.proved;
+        self.broken += other.broken;
+        self.homes.0 += other.homes.0;
+        self.homes.1 += other.homes.1;
+        self.vacuous += other.vacuous;
+        self.undecided.extend(other.undecided);
+        self.refused += other.refused;
+        self.states += other.states;
+        self.asked += other.asked;
+    }
+}
+
+/// The chart of a number.
+#[must_use]
+pub fn text(number: u64, kind: Kind) -> String {
+    let text = make::counting(number, kind.grafcet, kind.timed);
+    if !kind.several {
+        return text;
+    }
+    make::with_modes(&make::by_recipe(&make::of_several_cycles(&text, number, kind.timed), number), number)
+}
+
 /// Compares the chart of a number; false where there is nothing to compare.
 ///
 /// # Errors
 /// A difference, with the chart.
-pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, String> {
-    let mut text = make::counting(number, kind.grafcet, kind.timed);
-    if kind.several {
-        text = make::by_recipe(&make::of_several_cycles(&text, number, kind.timed), number);
-    }
+pub fn number(number: u64, kind: Kind, bounds: Bounds, counts: &mut Counts) -> Result<bool, String> {
+    let text = text(number, kind);
     let Ok(model) = resolve(&text) else { return Ok(false) };
     let judged = resolve(&make::with_param(&text))?;
     if model.properties.is_empty() {
         return Ok(false);
     }
-    let Some(graph) = Graph::of(&model, kind.cycles).map_err(|error| format!("{error}\n{text}"))? else {
+    let Some(graph) = Graph::of(&model, bounds.cycles).map_err(|error| format!("{error}\n{text}"))? else {
         return Ok(false);
     };
     counts.params += usize::from(!judged.params.is_empty());
-    compare((&model, &judged), &graph, kind, number, counts).map_err(|error| format!("{number}: {error}\n{text}"))?;
+    compare((&model, &judged), &graph, (kind, bounds.time), number, counts)
+        .map_err(|error| format!("{number}: {error}\n{text}"))?;
     Ok(true)
 }
 
@@ -80,10 +118,10 @@ pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, Stri
 ///
 /// # Errors
 /// A difference, with the chart.
-pub fn remembering(number: u64, grafcet: bool, cycles: usize, counts: &mut Counts) -> Result<bool, String> {
+pub fn remembering(number: u64, grafcet: bool, bounds: Bounds, counts: &mut Counts) -> Result<bool, String> {
     let (plain, text, overs) = make::remembering(number, grafcet);
     let (Ok(model), Ok(judged)) = (resolve(&plain), resolve(&text)) else { return Ok(false) };
-    let Some(graph) = Graph::of(&model, cycles).map_err(|error| format!("{error}\n{plain}"))? else {
+    let Some(graph) = Graph::of(&model, bounds.cycles).map_err(|error| format!("{error}\n{plain}"))? else {
         return Ok(false);
     };
     let encoding = if number % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
@@ -99,7 +137,7 @@ pub fn remembering(number: u64, grafcet: bool, cycles: usize, counts: &mut Count
             continue;
         };
         let shortest = memories::broken(&model, &graph, &model.properties[property].claim, over)?;
-        let verdict = decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(20)))
+        let verdict = decide(&program, &circuit, *bad, &Limit::time(bounds.time))
             .map_err(|error| format!("{number}: {error}\n{text}"))?;
         let same = match &verdict {
             Verdict::Undecided(why) => {
@@ -127,7 +165,7 @@ pub fn remembering(number: u64, grafcet: bool, cycles: usize, counts: &mut Count
 fn compare(
     (model, judged): (&Model, &Model),
     graph: &Graph,
-    kind: Kind,
+    (kind, time): (Kind, Duration),
     number: u64,
     counts: &mut Counts,
 ) -> Result<(), String> {
@@ -141,8 +179,7 @@ fn compare(
     let depths = graph.depths();
     for bad in &circuit.bad {
         let shortest = broken(model, graph, &depths, &model.properties[bad.property])?;
-        let verdict = decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(20)))
-            .map_err(|error| error.to_string())?;
+        let verdict = decide(&program, &circuit, *bad, &Limit::time(time)).map_err(|error| error.to_string())?;
         let wrong = match &verdict {
             Verdict::Undecided(why) => {
                 counts.undecided.push((number, format!("property {}: {why}", bad.property)));
@@ -171,7 +208,7 @@ fn compare(
         }
     }
     for (property, _) in &circuit.triggers {
-        let proof = vacuous(&circuit, *property, &Limit::time(Duration::from_secs(20)));
+        let proof = vacuous(&circuit, *property, &Limit::time(time));
         let never = proof.map_err(|error| error.to_string())?.is_some();
         counts.vacuous += usize::from(never);
         let Some(trigger) = model.properties[*property].claim.trigger() else { continue };
@@ -182,8 +219,7 @@ fn compare(
     }
     for home in &circuit.homes {
         let shortest = broken(model, graph, &depths, &model.properties[home.property])?;
-        let verdict = decide_home(&program, &circuit, home, &Limit::time(Duration::from_secs(20)))
-            .map_err(|error| error.to_string())?;
+        let verdict = decide_home(&program, &circuit, home, &Limit::time(time)).map_err(|error| error.to_string())?;
         let wrong = match &verdict {
             Verdict::Undecided(why) => {
                 counts.undecided.push((number, format!("property {}: {why}", home.property)));
@@ -205,7 +241,7 @@ fn compare(
         }
     }
     for live in &circuit.live {
-        eventually(model, graph, &program, &circuit, *live, (kind, number), counts)?;
+        eventually(model, graph, (&program, &circuit), *live, (kind, time, number), counts)?;
     }
     Ok(())
 }
@@ -214,14 +250,12 @@ fn compare(
 fn eventually(
     model: &Model,
     graph: &Graph,
-    program: &grafcet_compiler::program::Program<'_>,
-    circuit: &Circuit,
+    (program, circuit): (&Program<'_>, &Circuit),
     live: Live,
-    (kind, number): (Kind, u64),
+    (kind, time, number): (Kind, Duration, u64),
     counts: &mut Counts,
 ) -> Result<(), String> {
-    let verdict = decide_live(program, circuit, live, &Limit::time(Duration::from_secs(20)))
-        .map_err(|error| error.to_string())?;
+    let verdict = decide_live(program, circuit, live, &Limit::time(time)).map_err(|error| error.to_string())?;
     let endless = responses::broken(model, graph, &model.properties[live.property].claim)?.is_some();
     let wrong = match &verdict {
         Verdict::Undecided(why) => {
@@ -247,7 +281,7 @@ fn eventually(
 /// # Errors
 /// `abc` cannot be run.
 pub fn differs(
-    program: &grafcet_compiler::program::Program<'_>,
+    program: &Program<'_>,
     circuit: &Circuit,
     bad: Bad,
     verdict: &Verdict,

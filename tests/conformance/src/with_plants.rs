@@ -13,23 +13,20 @@ use grafcet_prove::{Limit, Verdict, decide, decide_live, vacuous};
 use crate::brute::closed::Closed;
 use crate::brute::machines::{LONGEST, Machines, machines};
 use crate::brute::responses::Broken;
-use crate::prove::Counts;
-
-/// The time for each property.
-const TIME: Duration = Duration::from_secs(20);
+use crate::prove::{Bounds, Counts};
 
 /// Compares the chart of a number; false where there is nothing to compare.
 ///
 /// # Errors
 /// A difference, with the chart.
-pub fn number(number: u64, grafcet: bool, cycles: usize, counts: &mut Counts) -> Result<bool, String> {
+pub fn number(number: u64, grafcet: bool, bounds: Bounds, counts: &mut Counts) -> Result<bool, String> {
     let Some(Machines { asked, plain }) = machines(number, grafcet) else { return Ok(false) };
     let of_chart = |error: String| format!("{number}: {error}\n{asked}");
     let (Some(judged), Some(model)) = (read(&asked), read(&plain)) else { return Ok(false) };
-    let Some(closed) = Closed::of(&model, LONGEST, cycles).map_err(of_chart)? else { return Ok(false) };
+    let Some(closed) = Closed::of(&model, LONGEST, bounds.cycles).map_err(of_chart)? else { return Ok(false) };
     counts.charts += 1;
     counts.states += closed.states();
-    compare((&model, &judged), &closed, number, counts).map_err(of_chart)?;
+    compare((&model, &judged), &closed, (number, bounds.time), counts).map_err(of_chart)?;
     Ok(true)
 }
 
@@ -41,7 +38,12 @@ fn read(text: &str) -> Option<Model> {
     model.filter(|model| is_whole && !model.incomplete)
 }
 
-fn compare((model, judged): (&Model, &Model), closed: &Closed, number: u64, counts: &mut Counts) -> Result<(), String> {
+fn compare(
+    (model, judged): (&Model, &Model),
+    closed: &Closed,
+    (number, time): (u64, Duration),
+    counts: &mut Counts,
+) -> Result<(), String> {
     let encoding = if number % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
     let program = counted(judged, &Facts::of(judged), encoding).map_err(|refused| refused.to_string())?;
     let Ok(circuit) = Circuit::of(&program) else {
@@ -49,7 +51,7 @@ fn compare((model, judged): (&Model, &Model), closed: &Closed, number: u64, coun
         return Ok(());
     };
     for (property, one) in model.properties.iter().enumerate() {
-        let Some(verdict) = verdict(&program, &circuit, property)? else {
+        let Some(verdict) = verdict(&program, &circuit, property, time)? else {
             counts.undecided.push((number, format!("property {property}: not modelled")));
             continue;
         };
@@ -72,7 +74,7 @@ fn compare((model, judged): (&Model, &Model), closed: &Closed, number: u64, coun
             Verdict::Undecided(_) => {}
         }
         if circuit.triggers.iter().any(|(of, _)| *of == property) {
-            let never = vacuous(&circuit, property, &Limit::time(TIME)).map_err(|error| error.to_string())?.is_some();
+            let never = vacuous(&circuit, property, &Limit::time(time)).map_err(|error| error.to_string())?.is_some();
             counts.vacuous += usize::from(never);
             match (never, closed.happens(property)) {
                 (true, true) => return Err(format!("property {property} says something by brute force")),
@@ -87,12 +89,17 @@ fn compare((model, judged): (&Model, &Model), closed: &Closed, number: u64, coun
     Ok(())
 }
 
-fn verdict(program: &Program<'_>, circuit: &Circuit, property: usize) -> Result<Option<Verdict>, String> {
+fn verdict(
+    program: &Program<'_>,
+    circuit: &Circuit,
+    property: usize,
+    time: Duration,
+) -> Result<Option<Verdict>, String> {
     let bad = circuit.bad.iter().find(|bad| bad.property == property);
     let live = circuit.live.iter().find(|live| live.property == property);
     let verdict = match (bad, live) {
-        (Some(bad), _) => decide(program, circuit, *bad, &Limit::time(TIME)),
-        (_, Some(live)) => decide_live(program, circuit, *live, &Limit::time(TIME)),
+        (Some(bad), _) => decide(program, circuit, *bad, &Limit::time(time)),
+        (_, Some(live)) => decide_live(program, circuit, *live, &Limit::time(time)),
         (None, None) => return Ok(None),
     };
     verdict.map(Some).map_err(|error| error.to_string())

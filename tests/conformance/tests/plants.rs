@@ -8,7 +8,7 @@ use grafcet_compiler::model::{Id, Model, Wire};
 use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Role, counted};
 use grafcet_compiler::{Wanted, compile_with};
-use grafcet_conformance::prove::Counts;
+use grafcet_conformance::prove::{Bounds, Counts};
 use grafcet_conformance::with_plants;
 use grafcet_prove::circuit::{Circuit, Source};
 use grafcet_prove::play::Player;
@@ -226,8 +226,9 @@ fn the_circuit_does_what_the_closed_loop_does() {
 #[test]
 fn random_plants_are_judged_as_brute_force_finds_them() {
     let mut counts = Counts::default();
+    let bounds = Bounds { cycles: 4_000, time: Duration::from_secs(600) };
     for chart in 0..40 {
-        with_plants::number(chart, chart % 2 == 1, 4_000, &mut counts).expect("no difference");
+        with_plants::number(chart, chart % 2 == 1, bounds, &mut counts).expect("no difference");
     }
     assert!(counts.charts > 8 && counts.proved > 25 && counts.broken > 8 && counts.undecided.is_empty(), "{counts:?}");
 }

@@ -6,7 +6,7 @@ use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
 use grafcet_compiler::program::{Encoding, counted};
 use grafcet_compiler::{Wanted, compile_with};
-use grafcet_conformance::prove::{Counts, Kind, number};
+use grafcet_conformance::prove::{Bounds, Counts, Kind, number};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::{Invariant, Task};
 use grafcet_prove::{Limit, Verdict, certificate, decide, words};
@@ -35,9 +35,10 @@ fn verdicts(model: &Model) -> Vec<Verdict> {
 fn random_charts_are_judged_as_brute_force_finds_them() {
     let mut counts = Counts::default();
     for (grafcet, timed) in [(false, false), (true, false), (false, true), (true, true)] {
-        let kind = Kind { grafcet, timed, several: false, cycles: 2_000, abc: false };
+        let kind = Kind { grafcet, timed, several: false, abc: false };
+        let bounds = Bounds { cycles: 2_000, time: Duration::from_secs(600) };
         for chart in 700..712 {
-            number(chart, kind, &mut counts).expect("no difference");
+            number(chart, kind, bounds, &mut counts).expect("no difference");
         }
     }
     assert!(
@@ -80,6 +81,61 @@ fn what_depends_on_a_count_is_proved() {
     for verdict in verdicts(&read(COUNTER)) {
         assert!(matches!(verdict, Verdict::Proved(_)), "{verdict:?}");
     }
+}
+
+/// What an enum that the chart stores begins with, is written and is copied from; what Rust makes of it is any of its variants.
+#[test]
+fn stored_enums_are_followed() {
+    let chart = |decide: &str, claims: &str| {
+        let text = format!(
+            "grafcet Valve {{
+                input open, shut: bool; input asked: Mode in {{Idle, Busy, Failed, Gone}};
+                output motor: bool;
+                var mode: Mode in {{Idle, Busy, Failed, Gone}} = Mode::Idle; var last: Mode in {{Idle, Busy, Failed, Gone}} = Mode::Gone;
+                var alone: Mode in {{Idle}} = Mode::Idle; var made: Mode in {{Idle, Busy, Failed}} = Mode::Idle;
+                initial step Rest {{ {decide} }} step Move {{ motor; P1 last = mode; P1 mode = Mode::Busy; P0 mode = Mode::Idle; }}
+                step Stuck {{ P1 mode = Mode::Failed; }} step Asked {{ P1 mode = asked; }}
+                Rest -[open]-> Move -[shut]-> Rest; Move -[!open && !shut && mode == Mode::Busy]-> Stuck -[shut]-> Asked;
+                {claims} }}"
+        );
+        verdicts(&read(&text))
+    };
+    let proved = chart(
+        "P1 made = decide(open);",
+        "never Move.X && mode != Mode::Busy; always Stuck.X => mode == Mode::Failed; always motor => last == Mode::Idle;
+         never alone != Mode::Idle; always matches!(made, Mode::Idle | Mode::Busy | Mode::Failed);
+         always Rest.X => !matches!(mode, Mode::Failed | Mode::Gone); never Stuck.X && last == Mode::Gone;",
+    );
+    assert_eq!(proved.len(), 7);
+    for verdict in &proved {
+        assert!(matches!(verdict, Verdict::Proved(_)), "{verdict:?}");
+    }
+    let broken = chart("", "never mode == Mode::Failed; never last == Mode::Gone; never mode == Mode::Gone;");
+    match &broken[..] {
+        [Verdict::Violated(failed), Verdict::Violated(before), Verdict::Violated(gone)] => {
+            assert_eq!((failed.len(), before.len(), gone.len()), (2, 1, 3));
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A proof speaks of an enum by its variants.
+#[test]
+fn a_proof_names_the_variants() {
+    let model = read(
+        "sfc Press { input go: bool; output ram: bool; var mode: Mode in {Idle, Busy, Done} = Mode::Idle;
+         initial step Rest; step Run { P1 mode = Mode::Busy; } step End { ram; P1 mode = Mode::Done; }
+         Rest -[go]-> Run -[!go]-> End -[go]-> Rest; never ram && mode == Mode::Busy; }",
+    );
+    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let circuit = Circuit::of(&program).expect("a circuit");
+    let proof = decide(&program, &circuit, circuit.bad[0], &Limit::none()).expect("no internal error");
+    let Verdict::Proved(proof) = proof else { panic!("{proof:?}") };
+    let lines = words::lines(&program, &circuit, &proof.invariant);
+    assert!(
+        lines.iter().any(|line| line.contains("mode in {Busy}") || line.contains("mode in {Idle, Busy}")),
+        "{lines:?}"
+    );
 }
 
 /// Eight branches of five steps are more situations than anybody goes through; the fault shows in cycle 2.

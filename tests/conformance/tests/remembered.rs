@@ -6,7 +6,7 @@ use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
 use grafcet_compiler::program::{Encoding, counted};
 use grafcet_compiler::{Wanted, compile_with};
-use grafcet_conformance::prove::{Counts, remembering};
+use grafcet_conformance::prove::{Bounds, Counts, remembering};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Limit, Verdict, decide};
 use quote::quote;
@@ -32,8 +32,9 @@ fn verdicts(model: &Model) -> Vec<Verdict> {
 #[test]
 fn what_properties_remember_is_judged_as_brute_force_finds_it() {
     let mut counts = Counts::default();
+    let bounds = Bounds { cycles: 1_500, time: Duration::from_secs(600) };
     for chart in 0..60 {
-        remembering(chart, chart % 2 == 1, 1_500, &mut counts).expect("no difference");
+        remembering(chart, chart % 2 == 1, bounds, &mut counts).expect("no difference");
     }
     assert!(
         counts.proved > 60 && counts.broken > 20 && counts.undecided.is_empty() && counts.refused == 0,

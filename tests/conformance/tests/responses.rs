@@ -7,7 +7,7 @@ use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
 use grafcet_compiler::program::{Encoding, counted};
-use grafcet_conformance::prove::{Counts, Kind, number};
+use grafcet_conformance::prove::{Bounds, Counts, Kind, number};
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::{Circuit, Condition};
 
@@ -153,9 +153,10 @@ fn a_count_comes_to_its_end() {
 fn random_charts_are_judged_as_brute_force_finds_them() {
     let mut counts = Counts::default();
     for (grafcet, timed, charts) in [(false, false, 10), (false, true, 3), (true, false, 3)] {
-        let kind = Kind { grafcet, timed, several: true, cycles: 1_000, abc: false };
+        let kind = Kind { grafcet, timed, several: true, abc: false };
+        let bounds = Bounds { cycles: 1_000, time: Duration::from_secs(600) };
         for chart in 800..800 + charts {
-            number(chart, kind, &mut counts).expect("no difference");
+            number(chart, kind, bounds, &mut counts).expect("no difference");
         }
     }
     let decided = counts.proved + counts.broken;

@@ -234,11 +234,15 @@ fn is_plain(tree: &Tree, times: &mut BTreeSet<u32>) -> bool {
 /// more than `most`, or there is an input of another type.
 fn valuations(model: &Model, most: usize) -> Option<Vec<Vec<Value>>> {
     let mut all = vec![Vec::new()];
-    for input in model.inputs.values() {
+    for (id, input) in model.inputs.iter() {
         let values: Vec<Value> = match input.ty {
             Ty::Bool(_) => vec![Value::Bool(false), Value::Bool(true)],
             Ty::Int { signed, bits, .. } => representatives(model, signed, bits),
-            Ty::Time(_) | Ty::Other(_) => return None,
+            Ty::Time(_) | Ty::Other(_) => {
+                // A variant is its place in the list.
+                let listed = model.variants_of(Name::Input(id))?;
+                (0..listed.list.len()).map(|place| Value::Int(place as i128)).collect()
+            }
         };
         if all.len() * values.len() > most {
             return None;

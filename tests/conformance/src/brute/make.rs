@@ -121,6 +121,51 @@ pub fn with_param(chart: &str) -> String {
     chart.replace(AS_INPUT, "param k: u8 in 1..=3 = 2;\n")
 }
 
+/// The variants of the enum.
+const VARIANTS: [&str; 3] = ["Idle", "Busy", "Done"];
+
+/// A counting chart that keeps a variant of an enum, asks for one in some conditions, and claims something of both: every third one.
+#[must_use]
+pub fn with_modes(chart: &str, number: u64) -> String {
+    if number % 3 != 1 {
+        return chart.to_owned();
+    }
+    let mut rng = Rng::new(number ^ 0xe_117);
+    let asked = rng.chance(60);
+    let some = |rng: &mut Rng| match rng.below(if asked { 5 } else { 3 }) {
+        0 => format!("m == Mode::{}", rng.pick(&VARIANTS)),
+        1 => format!("m != Mode::{}", rng.pick(&VARIANTS)),
+        2 => format!("matches!(m, Mode::{} | Mode::{})", rng.pick(&VARIANTS), rng.pick(&VARIANTS)),
+        _ => format!("i == Mode::{}", rng.pick(&VARIANTS)),
+    };
+    let mut lines = Vec::new();
+    for line in chart.lines() {
+        let claims = ["never ", "always "].iter().any(|word| line.starts_with(word))
+            || line.contains(" leads_to ")
+            || line.contains(" before ");
+        let mut line = line.to_owned();
+        if claims {
+            for count in ["n == 0", "n == 2", "n == 3", "n < 2"] {
+                if line.contains(count) {
+                    line = line.replacen(count, &some(&mut rng), 1);
+                }
+            }
+        } else if let (Some(at), true) = (line.find("-["), rng.chance(30)) {
+            let mode = some(&mut rng);
+            line = format!("{}-[{mode}]->{}", &line[..at], line[at..].split_once("]->").map_or("", |(_, to)| to));
+        } else if line == "P1 n = (n + 1) % 4;" || line == "P1 n = 3;" {
+            lines.push(format!("P{} m = Mode::{};", rng.below(2), rng.pick(&VARIANTS)));
+        }
+        lines.push(line);
+    }
+    let list = VARIANTS.join(", ");
+    lines.insert(2, format!("var m: Mode in {{{list}}} = Mode::Idle;"));
+    if asked {
+        lines.insert(2, format!("input i: Mode in {{{list}}};"));
+    }
+    lines.join("\n") + "\n"
+}
+
 /// A counting chart that claims, of some conditions at a time, that one does not hold with another that stands below an edge or a delay; and
 /// beside it what brute force takes for it, which says the same without them.
 #[must_use]

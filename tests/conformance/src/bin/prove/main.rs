@@ -8,39 +8,45 @@ use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Program, counted};
-use grafcet_conformance::prove::{Counts, Kind};
-use grafcet_conformance::with_plants;
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::Invariant;
 use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, never, table, vacuous, words};
 use proc_macro2::{TokenStream, TokenTree};
 
+mod random;
+
 const USAGE: &str = "\
 Usage: cargo xtask prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE]
-       cargo xtask prove --random N [--first N] [--cycles N] [--plants] [--abc]
+       cargo xtask prove --random N [--first N] [--cycles N] [--seconds N] [--kind KIND]
+              [--jobs N] [--show] [--abc]
 
   FILE       a chart, a file of Rust with calls of `grafcet!`, or a chart of the corpus
   --why      what holds in every situation, from which each proof follows
-  --seconds  for each property (default 10)
+  --seconds  for each property (default 10, of random charts 20)
   --aiger    writes the circuit with its properties, as text where the name ends with .aag
   --btor2    the same as BTOR2
 
   --random   small random charts, so many of each kind, beside a naive exploration
-  --plants   of these, those with plants alone
+  --kind     of these, those of one kind alone: plain, remembering, times, plants
+  --jobs     at a time (default: as many as there are processors)
+  --show     each chart, and how long it takes
   --first    the number of the first (default 1)
   --cycles   the most cycles of the exploration (default 20000)
   --abc      and beside `berkeley-abc`";
 
+/// What is asked for.
 struct Options {
     why: bool,
-    time: Duration,
+    time: Option<Duration>,
     aiger: Option<String>,
     btor2: Option<String>,
     random: Option<u64>,
     first: u64,
     cycles: usize,
-    plants: bool,
+    kind: Option<String>,
+    show: bool,
+    jobs: Option<usize>,
     abc: bool,
 }
 
@@ -60,13 +66,15 @@ fn run() -> Result<bool, String> {
     let mut file = None;
     let mut options = Options {
         why: false,
-        time: Duration::from_secs(10),
+        time: None,
         aiger: None,
         btor2: None,
         random: None,
         first: 1,
         cycles: 20_000,
-        plants: false,
+        kind: None,
+        show: false,
+        jobs: None,
         abc: false,
     };
     let mut rest = std::env::args().skip(1);
@@ -75,21 +83,24 @@ fn run() -> Result<bool, String> {
             "--why" => options.why = true,
             "--seconds" => {
                 let seconds = rest.next().ok_or(USAGE)?;
-                options.time = Duration::from_secs(seconds.parse().map_err(|error| format!("{seconds}: {error}"))?);
+                let seconds = seconds.parse().map_err(|error| format!("{seconds}: {error}"))?;
+                options.time = Some(Duration::from_secs(seconds));
             }
             "--aiger" => options.aiger = Some(rest.next().ok_or(USAGE)?),
             "--btor2" => options.btor2 = Some(rest.next().ok_or(USAGE)?),
             "--random" => options.random = Some(count(rest.next())?),
             "--first" => options.first = count(rest.next())?,
             "--cycles" => options.cycles = usize::try_from(count(rest.next())?).unwrap_or(usize::MAX),
-            "--plants" => options.plants = true,
+            "--kind" => options.kind = Some(rest.next().ok_or(USAGE)?),
+            "--jobs" => options.jobs = Some(usize::try_from(count(rest.next())?).unwrap_or(1)),
+            "--show" => options.show = true,
             "--abc" => options.abc = true,
             _ if file.is_none() && !word.starts_with("--") => file = Some(word),
             _ => return Err(USAGE.to_owned()),
         }
     }
     if let Some(charts) = options.random {
-        return random(charts, &options);
+        return random::all(charts, &options);
     }
     let file = file.ok_or(USAGE)?;
     let text = std::fs::read_to_string(&file).map_err(|error| format!("{file}: {error}"))?;
@@ -106,41 +117,6 @@ fn run() -> Result<bool, String> {
 fn count(word: Option<String>) -> Result<u64, String> {
     let word = word.ok_or(USAGE)?;
     word.parse().map_err(|error| format!("{word}: {error}"))
-}
-
-/// So many charts of each kind.
-fn random(charts: u64, options: &Options) -> Result<bool, String> {
-    let kinds = [(false, false), (true, false), (false, true), (true, true)];
-    for (grafcet, timed) in kinds.into_iter().filter(|_| !options.plants) {
-        let kind = Kind { grafcet, timed, several: true, cycles: options.cycles, abc: options.abc };
-        let (start, mut counts, mut number) = (Instant::now(), Counts::default(), options.first);
-        while (counts.charts as u64) < charts {
-            grafcet_conformance::prove::number(number, kind, &mut counts)?;
-            number += 1;
-        }
-        if !timed {
-            number = options.first;
-            let before = counts.charts as u64;
-            while counts.charts as u64 - before < charts {
-                grafcet_conformance::prove::remembering(number, grafcet, options.cycles, &mut counts)?;
-                number += 1;
-            }
-        }
-        let name = if grafcet { "grafcet" } else { "sfc" };
-        let times = if timed { " with times" } else { "" };
-        let seconds = start.elapsed().as_secs_f64();
-        println!("{name}{times}: {counts:?}; {seconds:.0} s");
-    }
-    for grafcet in [false, true] {
-        let (start, mut counts, mut number) = (Instant::now(), Counts::default(), options.first);
-        while (counts.charts as u64) < charts {
-            with_plants::number(number, grafcet, options.cycles, &mut counts)?;
-            number += 1;
-        }
-        let (name, seconds) = (if grafcet { "grafcet" } else { "sfc" }, start.elapsed().as_secs_f64());
-        println!("{name} with plants: {counts:?}; {seconds:.0} s");
-    }
-    Ok(true)
 }
 
 /// The arguments of `grafcet!`, or all of it where there is no such call.
@@ -193,7 +169,7 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
         println!("  not modelled: {}: {refused}", written(&model, *property));
     }
     for property in 0..model.properties.len() {
-        let (start, limit) = (Instant::now(), Limit::time(options.time));
+        let (start, limit) = (Instant::now(), Limit::time(options.time.unwrap_or(Duration::from_secs(10))));
         let bad = circuit.bad.iter().find(|bad| bad.property == property);
         let live = circuit.live.iter().find(|live| live.property == property);
         let home = circuit.homes.iter().find(|home| home.property == property);
@@ -208,7 +184,7 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
         let is_proved = matches!(verdict, Verdict::Proved(_));
         proved &= is_proved;
         if is_proved && !nothing {
-            let limit = Limit::time(options.time);
+            let limit = Limit::time(options.time.unwrap_or(Duration::from_secs(10)));
             let proof = vacuous(&circuit, property, &limit).map_err(|error| error.to_string())?;
             if let (Some(proof), Some(trigger)) = (proof, model.properties[property].claim.trigger()) {
                 println!("    but it says nothing: at the end of no cycle `{}` holds", trigger.text);
@@ -221,7 +197,7 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
 
 /// Says which assumptions are empty, and whether they leave nothing at all.
 fn assumed(program: &Program<'_>, circuit: &Circuit, options: &Options) -> Result<bool, String> {
-    let limit = || Limit::time(options.time);
+    let limit = || Limit::time(options.time.unwrap_or(Duration::from_secs(10)));
     let proof = never(circuit, Lit::TRUE, &limit()).map_err(|error| error.to_string())?;
     if let Some(proof) = proof {
         println!("  no cycle comes to its end, so that every property holds: correct the assumptions");
