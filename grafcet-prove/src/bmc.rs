@@ -16,12 +16,21 @@ pub(crate) struct Unrolled<'t, 'c> {
 
 impl<'t, 'c> Unrolled<'t, 'c> {
     pub(crate) fn new(task: &'t Task<'c>, limit: &Limit) -> Self {
+        Self::from(task, limit, &|latch| task.latch(latch).initial)
+    }
+
+    /// From any state on, whether a chart can be in it or not.
+    fn anywhere(task: &'t Task<'c>, limit: &Limit) -> Self {
+        Self::from(task, limit, &|_| None)
+    }
+
+    fn from(task: &'t Task<'c>, limit: &Limit, initial: &dyn Fn(usize) -> Option<bool>) -> Self {
         let mut sat = Sat::new(limit);
         let truth = sat.term();
         sat.clause(&[truth]);
         let (mut next, mut open) = (Vec::new(), Vec::new());
         for latch in &task.latches {
-            let term = match task.latch(*latch).initial {
+            let term = match initial(*latch) {
                 Some(true) => truth,
                 Some(false) => !truth,
                 None => {
@@ -48,16 +57,14 @@ impl<'t, 'c> Unrolled<'t, 'c> {
         let bad = wires.term(&mut self.sat, aig, task.bad);
         let found = self.sat.solve(&[bad])?;
         self.cycles.push(wires);
-        if found {
-            return Ok(Some(self.way()));
-        }
+        let way = if found { Some(self.way()) } else { None };
         self.sat.clause(&[!bad]);
         if let Some(wires) = self.cycles.last_mut() {
             for (latch, term) in task.latches.iter().zip(&mut self.next) {
                 *term = wires.term(&mut self.sat, aig, task.latch(*latch).next);
             }
         }
-        Ok(None)
+        Ok(way)
     }
 
     fn way(&mut self) -> Way {
@@ -86,6 +93,17 @@ pub(crate) fn shortest(task: &Task<'_>, most: usize, limit: &Limit) -> Result<Op
     for _ in 0..most {
         if let Some(way) = unrolled.cycle()? {
             return Ok(Some(way));
+        }
+    }
+    Ok(None)
+}
+
+/// Behind how many cycles at whose ends nothing bad holds nothing bad can hold in the next one, either; none where more than so many would be needed.
+pub(crate) fn inductive(task: &Task<'_>, most: usize, limit: &Limit) -> Result<Option<usize>, Over> {
+    let mut unrolled = Unrolled::anywhere(task, limit);
+    for depth in 0..=most {
+        if unrolled.cycle()?.is_none() {
+            return Ok(Some(depth));
         }
     }
     Ok(None)

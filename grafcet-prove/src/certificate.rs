@@ -1,6 +1,7 @@
 //! The check of a proof: by SAT alone, on the circuit as it is, and with nothing of what found the proof.
 //!
-//! An invariant is one if every chart begins in it, if no cycle leads out of it, and if nothing bad can happen in it.
+//! An invariant is one if every chart begins in it, if no cycle leads out of it, and if nothing bad can happen in it. By k-induction nothing bad
+//! happens in the first cycles, nor behind as many in which nothing bad did.
 
 use crate::aig::{Aig, Lit, Node};
 use crate::circuit::{Circuit, Condition};
@@ -24,14 +25,18 @@ pub fn fault(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Result<Op
     }
     let mut sat = Sat::new(limit);
     let nodes = nodes(&mut sat, &task.circuit.aig);
-    let term = |lit: Lit| if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] };
+    let term = |lit: Lit| at(&nodes, lit);
     sat.clause(&[term(task.circuit.constraint)]);
     for cube in &invariant.excluded {
         let clause: Vec<Term> =
             cube.iter().map(|code| !of(*code, |latch| term(task.circuit.latches[latch].now))).collect();
         sat.clause(&clause);
     }
-    if sat.solve(&[term(task.bad)])? {
+    if invariant.depth > 0 {
+        if let Some(fault) = fault_of_depth(task, invariant, limit)? {
+            return Ok(Some(fault));
+        }
+    } else if sat.solve(&[term(task.bad)])? {
         return Ok(Some("something bad can happen in it".to_owned()));
     }
     for cube in &invariant.excluded {
@@ -42,6 +47,51 @@ pub fn fault(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Result<Op
         }
     }
     Ok(None)
+}
+
+/// Nothing bad in the first cycles, and nothing bad behind as many without.
+fn fault_of_depth(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Result<Option<String>, Over> {
+    let circuit = task.circuit;
+    for begins in [true, false] {
+        let mut sat = Sat::new(limit);
+        let first = nodes(&mut sat, &circuit.aig);
+        for latch in circuit.latches.iter().filter(|_| begins) {
+            if let Some(initial) = latch.initial {
+                sat.clause(&[at(&first, latch.now.xor(!initial))]);
+            }
+        }
+        for cube in &invariant.excluded {
+            let outside = cube.iter().map(|code| !of(*code, |latch| at(&first, circuit.latches[latch].now)));
+            sat.clause(&outside.collect::<Vec<Term>>());
+        }
+        let mut cycle = first;
+        for number in 1..=invariant.depth + usize::from(!begins) {
+            sat.clause(&[at(&cycle, circuit.constraint)]);
+            let bad = at(&cycle, task.bad);
+            if (begins || number > invariant.depth) && sat.solve(&[bad])? {
+                let what = if begins {
+                    format!("something bad can happen in cycle {number}")
+                } else {
+                    "it does not follow from itself".to_owned()
+                };
+                return Ok(Some(what));
+            }
+            sat.clause(&[!bad]);
+            cycle = following(&mut sat, circuit, &cycle);
+        }
+    }
+    Ok(None)
+}
+
+/// The gates of the cycle behind one.
+fn following(sat: &mut Sat, circuit: &Circuit, cycle: &[Term]) -> Vec<Term> {
+    let later = nodes(sat, &circuit.aig);
+    for latch in &circuit.latches {
+        let (now, next) = (at(&later, latch.now), at(cycle, latch.next));
+        sat.clause(&[!now, next]);
+        sat.clause(&[now, !next]);
+    }
+    later
 }
 
 /// Whether these hold wherever a chart begins, and after each cycle before which they do.
@@ -95,7 +145,6 @@ fn after_cycle(sat: &mut Sat, circuit: &Circuit, wires: &[Lit], nodes: &[Term]) 
         let next = if next.is_negated() { !nodes[next.node()] } else { nodes[next.node()] };
         later[now] = if latch.now.is_negated() { !next } else { next };
     }
-    let at = |later: &[Term], lit: Lit| if lit.is_negated() { !later[lit.node()] } else { later[lit.node()] };
     for index in 0..aig.len() {
         if let (true, Node::And(a, b)) = (is_asked[index], aig.node(index)) {
             let (term, x, y) = (later[index], at(&later, a), at(&later, b));
@@ -169,6 +218,10 @@ pub fn is_closed(circuit: &Circuit, inside: Lit, limit: &Limit) -> Result<bool, 
 fn of(code: u32, term: impl Fn(usize) -> Term) -> Term {
     let (latch, value) = entry(code);
     if value { term(latch) } else { !term(latch) }
+}
+
+fn at(nodes: &[Term], lit: Lit) -> Term {
+    if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] }
 }
 
 /// Every gate of the circuit as clauses, whether it matters or not.

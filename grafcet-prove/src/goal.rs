@@ -1,7 +1,7 @@
 //! Whether a way breaks a property, as the interpreter sees it: cycle by cycle, with nothing of the circuit.
 
 use grafcet_compiler::model::{Claim, Model, Tree};
-use grafcet_sim::interp::{ClosedLoop, Error, Remembered, Value};
+use grafcet_sim::interp::{ClosedLoop, Error, Remembered, Value, World};
 
 /// What breaks a property.
 pub(crate) enum Goal<'m> {
@@ -56,9 +56,15 @@ impl<'g> Watch<'g> {
     ///
     /// # Errors
     /// The interpreter does not understand the property.
-    pub(crate) fn cycle(&mut self, machine: &ClosedLoop<'_>, inputs: &[Value], now: u32) -> Result<(), Error> {
-        self.remembered.cycle(machine.chart(), inputs, now);
-        let holds = |tree: &Tree| self.remembered.holds(machine.chart(), tree, inputs);
+    pub(crate) fn cycle(
+        &mut self,
+        machine: &ClosedLoop<'_>,
+        world: &dyn World,
+        inputs: &[Value],
+        now: u32,
+    ) -> Result<(), Error> {
+        self.remembered.cycle(machine.chart(), world, inputs, now);
+        let holds = |tree: &Tree| self.remembered.holds(machine.chart(), world, tree, inputs);
         match self.goal {
             Goal::End(violation) => self.is_broken = holds(violation)?,
             Goal::Answer(from, to, within) => {

@@ -19,7 +19,7 @@ use crate::sat::Limit;
 use crate::simplest::simplest;
 use crate::steps::Steps;
 use crate::task::{Invariant, Task, Way, cone, entry};
-use crate::verdict::{Internal, Judged, OVER, Proof, Verdict, invariant, judge};
+use crate::verdict::{Internal, Judged, OVER, Proof, Verdict, differs, invariant, judge};
 use crate::ways::{Search, Trust, Ways, inputs, may};
 
 /// So many cubes for each target, and no more.
@@ -203,7 +203,7 @@ fn lost(
                 Err(Why::NotUnderstood(what)) => Ok(Verdict::Undecided(format!(
                     "a way to where it may be lost depends on what is not looked into: {what}"
                 ))),
-                Err(Why::Differs(what)) => Err(Internal(what)),
+                Err(Why::Differs(what)) => differs(circuit, what),
             }
         }
     }
@@ -246,7 +246,7 @@ fn is_lost(
     way: &Way,
     shown: &[Shown],
 ) -> bool {
-    let mut player = Player::new(circuit);
+    let mut player = Player::beginning(circuit, &way.initial);
     for on in &way.inputs {
         player.cycle_on(on);
         if !player.holds(circuit.constraint) {

@@ -3,6 +3,7 @@
 
 pub mod aig;
 mod apart;
+mod around;
 mod bits;
 mod bmc;
 pub mod certificate;

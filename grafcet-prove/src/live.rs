@@ -20,7 +20,7 @@ use crate::pdr::{Answer, Pdr};
 use crate::replay::{self, Why};
 use crate::sat::Limit;
 use crate::task::{Task, Way, cone};
-use crate::verdict::{Internal, OVER, Proof, Verdict};
+use crate::verdict::{Internal, OVER, Proof, Verdict, differs};
 
 /// So many steps of the solver for the first bound; twice as many for each next one.
 const FIRST_STEPS: u64 = 5_000;
@@ -214,6 +214,6 @@ pub(crate) fn shown(
         Err(Why::NotUnderstood(what)) => {
             Ok(Verdict::Undecided(format!("a way that may break it depends on what is not looked into: {what}")))
         }
-        Err(Why::Differs(what)) => Err(Internal(what)),
+        Err(Why::Differs(what)) => differs(circuit, what),
     }
 }

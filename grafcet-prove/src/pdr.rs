@@ -295,7 +295,7 @@ impl<'t, 'c> Pdr<'t, 'c> {
             if self.frames[level].is_empty() {
                 let mut excluded: Vec<Cube> = self.frames[level + 1..].concat();
                 excluded.sort_unstable();
-                return Ok(Some(Invariant { excluded }));
+                return Ok(Some(Invariant { excluded, depth: 0 }));
             }
         }
         Ok(None)

@@ -123,7 +123,7 @@ pub fn wire_name(program: &Program<'_>, wire: &Wire) -> String {
             format!("{}::{}", plant.name, plant.inputs[*id].name)
         }
         Source::Elapsed => "elapsed".to_owned(),
-        Source::Rust(text) => text.clone(),
+        Source::Rust(outside) => outside.text.clone(),
         Source::Again => "again".to_owned(),
     }
 }

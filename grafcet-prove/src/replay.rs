@@ -4,6 +4,7 @@ use grafcet_compiler::model::{Model, Ty};
 use grafcet_compiler::program::{Program, Role};
 use grafcet_sim::interp::{ClosedLoop, Value};
 
+use crate::around::{Around, Told};
 use crate::circuit::{Circuit, Source, Wire};
 use crate::goal::{Goal, Watch};
 use crate::play::number;
@@ -20,6 +21,8 @@ pub struct Shown {
     pub outputs: Vec<Value>,
     /// None for a combinational one.
     pub vars: Vec<Value>,
+    /// What the program around the chart was asked for, by its text, and said.
+    pub told: Vec<(String, Value)>,
     pub active: Vec<String>,
     pub cleared: Vec<String>,
     /// In source order.
@@ -111,13 +114,13 @@ fn goes(
     let not_understood = |error: grafcet_sim::interp::Error| Why::NotUnderstood(error.to_string());
     begins(program, circuit)?;
     let mut machine = ClosedLoop::new(model).map_err(not_understood)?;
-    let (mut now, mut shown) = (0_u32, Vec::new());
+    let (mut now, mut shown, program_around) = (0_u32, Vec::new(), Around::default());
     for index in cycles {
         let mut given = Given::of(circuit, model, &way.inputs[index])?;
         if !given.params.is_empty() {
             machine.chart_mut().set_params(&given.params).map_err(not_understood)?;
         }
-        let cycle_number = shown.len() + 1;
+        let (cycle_number, world) = (shown.len() + 1, program_around.in_cycle(circuit, way, index));
         // Plants have been there before the chart.
         if cycle_number > 1 || !model.plants.is_empty() {
             now = now.wrapping_add(given.elapsed);
@@ -125,25 +128,25 @@ fn goes(
                 return Err(Why::Differs(format!("cycle {cycle_number} comes later than is assumed")));
             }
         }
-        let round = match machine.cycle(&mut given.inputs, &given.free, now) {
+        let round = match machine.cycle_in(&world, &mut given.inputs, &given.free, now) {
             Ok(round) => round,
             Err(grafcet_sim::interp::Error::Overflow(what)) => {
                 return Err(Why::Differs(format!("overflow in cycle {cycle_number}: {what}")));
             }
             Err(error) => return Err(not_understood(error)),
         };
-        if !is_assumed(&machine, model, &given.inputs, &round.given).map_err(not_understood)? {
+        if !is_assumed(&machine, model, (&world, &given.inputs), &round.given).map_err(not_understood)? {
             return Err(Why::Differs(format!("an assumption does not hold in cycle {cycle_number}")));
         }
         for order in &mut *orders {
-            order.cycle(&machine, &given.inputs, now).map_err(not_understood)?;
+            order.cycle(&machine, &world, &given.inputs, now).map_err(not_understood)?;
             if order.is_broken() {
                 return Err(Why::Differs(format!(
                     "what is assumed to come one behind the other does not in cycle {cycle_number}"
                 )));
             }
         }
-        watch.cycle(&machine, &given.inputs, now).map_err(not_understood)?;
+        watch.cycle(&machine, &world, &given.inputs, now).map_err(not_understood)?;
         let name = |ident: &dyn std::fmt::Display| ident.to_string().trim_start_matches("r#").to_owned();
         let cycle = round.chart;
         let mut plants = Vec::new();
@@ -156,6 +159,7 @@ fn goes(
             params: given.params,
             outputs: cycle.outputs.clone(),
             vars: machine.chart().vars().to_vec(),
+            told: world.asked(),
             active: cycle.active.iter().map(|step| name(&model.steps[*step].name)).collect(),
             cleared: cleared(model, &cycle),
             inputs: given.inputs,
@@ -169,7 +173,7 @@ fn goes(
 fn is_assumed(
     machine: &ClosedLoop<'_>,
     model: &Model,
-    inputs: &[Value],
+    (world, inputs): (&Told<'_>, &[Value]),
     of_plants: &[Vec<Value>],
 ) -> Result<bool, grafcet_sim::interp::Error> {
     for ((plant, machine), inputs) in model.plants.list.iter().zip(machine.plants()).zip(of_plants) {
@@ -180,7 +184,7 @@ fn is_assumed(
         }
     }
     for assumption in &model.assumptions {
-        if machine.holds(&assumption.never.tree, inputs)? {
+        if machine.chart().look(world, inputs).holds(&assumption.never.tree)? {
             return Ok(false);
         }
     }

@@ -23,9 +23,13 @@ pub fn table(model: &Model, way: &[Shown]) -> String {
     let mut rows = vec![heads.map(str::to_owned).to_vec()];
     rows[0].extend(model.plants.list.iter().map(|plant| plant.model.name.to_string()));
     for (index, shown) in way.iter().enumerate() {
-        let on =
-            [values(model, &inputs, &given(&own, shown)), values(model, &params, &shown.params), chosen(model, shown)]
-                .concat();
+        let on = [
+            values(model, &inputs, &given(&own, shown)),
+            values(model, &params, &shown.params),
+            chosen(model, shown),
+            told(shown),
+        ]
+        .concat();
         rows.push(vec![
             (index + 1).to_string(),
             shown.now.to_string(),
@@ -76,6 +80,19 @@ fn chosen(model: &Model, shown: &Shown) -> Vec<String> {
             if *wire == Wire::Free && *value == Value::Bool(true) {
                 all.push(format!("{}::{}", plant.model.name, input.name));
             }
+        }
+    }
+    all
+}
+
+/// What the program said, as far as that is on.
+fn told(shown: &Shown) -> Vec<String> {
+    let mut all = Vec::new();
+    for (text, value) in &shown.told {
+        match value {
+            Value::Bool(true) => all.push(text.clone()),
+            Value::Bool(false) | Value::Int(0) => {}
+            _ => all.push(format!("{text} = {value}")),
         }
     }
     all

@@ -6,7 +6,7 @@ use crate::aig::Lit;
 use crate::apart;
 use crate::bmc;
 use crate::certificate;
-use crate::circuit::{Bad, Circuit, Deadline, Timer};
+use crate::circuit::{Bad, Circuit, Deadline, Outside, Source, Timer};
 use crate::clocks;
 use crate::goal::Goal;
 use crate::lemmas::{About, strengthened};
@@ -66,6 +66,13 @@ impl std::error::Error for Internal {}
 /// So many cycles are looked at one by one before anything else: most faults show there, and soon.
 pub(crate) const FIRST_CYCLES: usize = 8;
 
+/// So many steps of the solver IC3 takes before it is looked whether a property follows from itself.
+const BEFORE_INDUCTION: u64 = 20_000;
+
+/// So many cycles, and no more, from which that is tried; in so many steps.
+const DEEPEST: usize = 4;
+const FOR_INDUCTION: u64 = 20_000;
+
 /// So many steps of the solver are taken before it is looked for how clocks go together.
 const ALONE: u64 = 10_000;
 
@@ -76,7 +83,20 @@ const BEFORE_SUMS: u64 = 100_000;
 pub(crate) const OVER: &str = "the solver was stopped at its limit";
 
 /// What is said where no way that breaks a property is certain.
-pub(crate) const PANICS: &str = "it is only broken where arithmetic leaves its type, which panics with overflow checks";
+pub(crate) fn uncertain(circuit: &Circuit) -> String {
+    let mut texts: Vec<&str> = Vec::new();
+    for wire in &circuit.inputs {
+        let Source::Rust(Outside { text, can_be_asked: true, .. }) = &wire.source else { continue };
+        if texts.contains(&&**text) {
+            return format!(
+                "it is only broken where arithmetic leaves its type, which panics with overflow checks, or where `{text}` has two \
+                 values in one cycle; where such a call has no state, say `assume pure …;`"
+            );
+        }
+        texts.push(text);
+    }
+    "it is only broken where arithmetic leaves its type, which panics with overflow checks".to_owned()
+}
 
 /// Decides one property of a circuit, within a limit.
 ///
@@ -258,10 +278,28 @@ fn first(task: &Task<'_>, limit: &Limit) -> Result<Found, Option<Internal>> {
     if let Some(way) = bmc::shortest(task, FIRST_CYCLES, limit).map_err(over)? {
         return Ok(Found::Fails(way));
     }
-    Ok(match invariant(task, limit)? {
+    // What IC3 does not find soon may follow from itself.
+    let found = match invariant(task, &limit.part(BEFORE_INDUCTION)) {
+        Err(None) if !limit.is_over() => match inductive(task, limit)? {
+            Some(invariant) => return Ok(Found::Holds(invariant)),
+            None => invariant(task, limit)?,
+        },
+        found => found?,
+    };
+    Ok(match found {
         Ok(invariant) => Found::Holds(invariant),
         Err(way) => Found::MayFail(way.inputs.len()),
     })
+}
+
+/// By k-induction, checked; none where it does not follow from so few cycles.
+fn inductive(task: &Task<'_>, limit: &Limit) -> Result<Option<Invariant>, Option<Internal>> {
+    let Ok(Some(depth)) = bmc::inductive(task, DEEPEST, &limit.part(FOR_INDUCTION)) else { return Ok(None) };
+    let invariant = Invariant { excluded: Vec::new(), depth };
+    match certificate::fault(task, &invariant, limit).map_err(|_| None)? {
+        None => Ok(Some(invariant)),
+        Some(fault) => Err(Some(Internal(format!("a proof that is none: {fault}")))),
+    }
 }
 
 /// IC3 alone: an invariant that has been checked, or a way that need not be the shortest; none for the limit.
@@ -291,7 +329,7 @@ fn shown(
         match judge(circuit, bad.certain, limit) {
             Err(Some(fault)) => return Err(fault),
             Err(None) => return Ok(Verdict::Undecided(OVER.to_owned())),
-            Ok(Judged::Holds(_)) => return Ok(Verdict::Undecided(PANICS.to_owned())),
+            Ok(Judged::Holds(_)) => return Ok(Verdict::Undecided(uncertain(circuit))),
             Ok(Judged::Fails(way)) => way,
         }
     };
@@ -305,6 +343,16 @@ pub(crate) fn gone(program: &Program<'_>, circuit: &Circuit, goal: &Goal<'_>, wa
         Err(Why::NotUnderstood(what)) => {
             Ok(Verdict::Undecided(format!("a way that may break it depends on what is not looked into: {what}")))
         }
-        Err(Why::Differs(what)) => Err(Internal(what)),
+        Err(Why::Differs(what)) => differs(circuit, what),
+    }
+}
+
+/// The interpreter goes another way than the circuit: a mistake, where both compute the same.
+pub(crate) fn differs(circuit: &Circuit, what: String) -> Result<Verdict, Internal> {
+    match circuit.uncomputed.first() {
+        None => Err(Internal(what)),
+        Some(text) => {
+            Ok(Verdict::Undecided(format!("a way that may break it depends on what is not looked into: `{text}`")))
+        }
     }
 }

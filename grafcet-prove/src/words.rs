@@ -15,6 +15,15 @@ const FEW_BITS: usize = 12;
 #[must_use]
 pub fn lines(program: &Program<'_>, circuit: &Circuit, invariant: &Invariant) -> Vec<String> {
     let mut lines = Vec::new();
+    match invariant.depth {
+        0 => {}
+        1 => lines.push(
+            "it follows from itself: after a cycle at whose end it holds comes one at whose end it holds".to_owned(),
+        ),
+        depth => lines.push(format!(
+            "it follows from itself: after {depth} cycles at whose ends it holds comes one at whose end it holds"
+        )),
+    }
     for cube in &invariant.excluded {
         let mut parts = Vec::new();
         for field in &circuit.fields {

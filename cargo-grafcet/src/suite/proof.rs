@@ -148,12 +148,14 @@ fn joined(steps: &[StepId], by: Binary) -> Option<Asked> {
 fn cycles(way: &[Shown], beside: &Beside<'_>) -> Option<Vec<(u32, Vec<Value>)>> {
     let mut first = beside.first();
     let outside = first.split_off(beside.inputs());
+    let (own, asked) = beside.signals().split_at(beside.inputs());
     let cycle = |shown: &Shown| {
-        let signals = beside.signals().iter();
-        let values = signals.zip(&shown.inputs).map(|(signal, value)| given(&signal.kind, *value));
-        let mut values = values.collect::<Option<Vec<Value>>>()?;
-        values.extend(outside.iter().cloned());
-        Some((shown.now, values))
+        let values = own.iter().zip(&shown.inputs).map(|(signal, value)| given(&signal.kind, *value));
+        let answers = asked.iter().zip(&outside).map(|(signal, usual)| {
+            let told = shown.told.iter().find(|(text, _)| *text == signal.name);
+            told.map_or_else(|| Some(usual.clone()), |(_, value)| given(&signal.kind, *value))
+        });
+        Some((shown.now, values.chain(answers).collect::<Option<Vec<Value>>>()?))
     };
     way.iter().map(cycle).collect()
 }

@@ -183,7 +183,7 @@ fn at_ends<'p, 'm, E>(
         way = match certain.confirmed(way) {
             Some(way) => way,
             None => match certain.asked(limit, ask)? {
-                Answer::Never => return Ok(Told::Found(Verdict::Undecided(verdict::PANICS.to_owned()))),
+                Answer::Never => return Ok(Told::Found(Verdict::Undecided(verdict::uncertain(circuit)))),
                 Answer::Open(why) => return Ok(Told::Found(Verdict::Undecided(why))),
                 Answer::Way(way) => way,
             },

@@ -6,6 +6,7 @@ use grafcet_compiler::model::{Name, Ty, Variants};
 use grafcet_compiler::program::{PlaceId, Role, Type};
 
 use super::claims::Claims;
+use super::free::{As, Origin};
 use super::homes::Home;
 use super::monitors::Monitors;
 use super::plants::Part;
@@ -53,7 +54,8 @@ impl<'p, 'm> Lowering<'p, 'm> {
         self.plants_evolve(&mut plants, &end)?;
         let constraint = self.assumptions(&end)?;
         self.constraint = self.aig.and(self.constraint, constraint);
-        let overflow = self.overflow;
+        let (overflow, differing) = (self.overflow, self.differing());
+        let overflow = self.aig.or(overflow, differing);
         let broken = self.aig.or(so_far, overflow);
         let mut claims = self.claims(&end, broken);
         let (homes, refused) = self.homes(&env, &end);
@@ -103,6 +105,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             signed: false,
         });
         latches.push(Latch { now: so_far, next: broken, initial: Some(false) });
+        self.keep_constants(&mut latches, &mut fields);
         let mut timers = std::mem::take(&mut self.memories).finish(&mut latches, &mut fields);
         let Asked { mut claims, mut monitors, homes, triggers, often, orders, without_orders } = asked;
         claims.refused.append(&mut monitors.refused);
@@ -117,6 +120,8 @@ impl<'p, 'm> Lowering<'p, 'm> {
             constraint: self.constraint,
             without_orders,
             overflow: self.overflow,
+            constants: self.constants,
+            uncomputed: self.uncomputed,
             bad: claims.bad,
             live: ended.live,
             deadlines: ended.deadlines,
@@ -147,7 +152,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             _ => {}
         }
         let Some((width, signed)) = self.shape(id)? else {
-            let again = self.free(&place.name, Vec::new(), true);
+            let again = self.free(Origin::Made(place.name.clone()), Vec::new(), true);
             return Ok((Sym::Free(again), None));
         };
         let bits: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
@@ -198,7 +203,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             Sym::Bool(lit) => vec![lit],
             Sym::Phase => vec![Lit::FALSE],
             Sym::Int(bits, _) | Sym::Ticks(bits) | Sym::State(bits) => bits::low(&bits, width),
-            Sym::Free(id) => bits::low(&self.free_bits(id, width, signed)?, width),
+            Sym::Free(id) => bits::low(&self.free_bits(id, width, As::Number { signed })?, width),
         })
     }
 }

@@ -64,8 +64,8 @@ impl<'m> Lowering<'_, 'm> {
             }
             (Sym::Free(_), Sym::Free(_)) if a == b => Lit::TRUE,
             (Sym::Free(_), _) | (_, Sym::Free(_)) => {
-                let id = self.free("=", vec![a.clone(), b.clone()], false);
-                self.free_bool(id)?
+                let made = self.made("=", vec![a.clone(), b.clone()]);
+                self.bool(&made)?
             }
             _ => return Err(Refused("a comparison of different things".to_owned())),
         })

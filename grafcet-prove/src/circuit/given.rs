@@ -3,6 +3,7 @@
 use grafcet_compiler::model::{Expr as Written, Name, ParamId, Read, Ty};
 use grafcet_compiler::program::{Initial, PlaceId, Type, Value};
 
+use super::free::Origin;
 use super::sym::{Sym, Width};
 use super::{Lowering, Refused, Source, Wire};
 use crate::aig::Lit;
@@ -41,7 +42,7 @@ impl Lowering<'_, '_> {
             },
             Ty::Other(_) => match self.program.model.variants_of(name) {
                 Some(variants) => (bits::width(variants.list.len() - 1), false),
-                None => return Ok(Sym::Free(self.free(text, Vec::new(), true))),
+                None => return Ok(Sym::Free(self.free(Origin::Made(text.to_owned()), Vec::new(), true))),
             },
         };
         let bits: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
@@ -78,7 +79,9 @@ impl Lowering<'_, '_> {
                     Type::Number | Type::Kind { .. } => Sym::int(0),
                     Type::User(ty @ Ty::Int { .. }) => Sym::Int(bits::constant(0), Width::of(ty)?),
                     // Which variant it is, the type says.
-                    Type::User(Ty::Other(_)) => Sym::Free(self.free(&place.name, Vec::new(), false)),
+                    Type::User(Ty::Other(_)) => {
+                        Sym::Free(self.free(Origin::Made(place.name.clone()), Vec::new(), false))
+                    }
                 },
             };
             self.initial.push(sym);

@@ -29,12 +29,13 @@ use std::fmt;
 use std::rc::Rc;
 
 use grafcet_compiler::analysis::Change;
-use grafcet_compiler::model::{InputId, ParamId};
+use grafcet_compiler::model::{InputId, Name, ParamId};
 use grafcet_compiler::program::{Mark, PlaceId, Program};
 
 use crate::aig::{Aig, Lit};
 use crate::bits::{self, Bits};
 use clock::Clock;
+pub use free::As;
 use free::Origin;
 pub use homes::{Condition, Home};
 use remembered::Memories;
@@ -77,9 +78,29 @@ pub enum Source {
     /// An input of a plant that nobody drives: a choice or a fault.
     Plant(usize, InputId),
     /// The value of Rust that is not looked into.
-    Rust(String),
+    Rust(Outside),
     /// Where the cycles begin that come again and again: a choice of the search, not of the chart.
     Again,
+}
+
+/// A value of Rust that is not looked into.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Outside {
+    pub text: String,
+    pub used: As,
+    /// Whether its own text stands in the chart, and not what something else is made of.
+    pub can_be_asked: bool,
+    /// What it is computed of, where it has one value for each of that.
+    pub of: Option<Vec<Name>>,
+}
+
+/// A constant of the program, `MOST`: any value, and the same in all cycles.
+#[derive(Clone, Debug)]
+pub struct Constant {
+    pub text: String,
+    pub used: As,
+    /// In this cycle, as in all others.
+    pub bits: Vec<Lit>,
 }
 
 /// Some inputs of the circuit that are one value, the lowest bit first.
@@ -179,6 +200,10 @@ pub struct Circuit {
     pub without_orders: Lit,
     /// In this cycle arithmetic leaves its type.
     pub overflow: Lit,
+    /// The program's constants, which latches hold.
+    pub constants: Vec<Constant>,
+    /// Rust that an interpreter computes and the circuit does not: there it is any value.
+    pub uncomputed: Vec<String>,
     pub bad: Vec<Bad>,
     pub live: Vec<Live>,
     pub deadlines: Vec<Deadline>,
@@ -234,8 +259,13 @@ pub(crate) struct Lowering<'p, 'm> {
     memories: Memories,
     origins: Vec<Origin>,
     by_text: BTreeMap<(String, Vec<Sym>), FreeId>,
+    constants: Vec<Constant>,
+    /// Rust that the interpreter computes and the circuit does not.
+    uncomputed: Vec<String>,
+    /// Of a plant's program, whose Rust nobody is asked for.
+    is_plant: bool,
     as_bool: BTreeMap<FreeId, Sym>,
-    as_bits: BTreeMap<(FreeId, usize, bool), Bits>,
+    as_bits: BTreeMap<(FreeId, usize, As), Bits>,
 }
 
 impl Circuit {
@@ -324,6 +354,9 @@ impl<'p, 'm> Lowering<'p, 'm> {
             memories: Memories::default(),
             origins: Vec::new(),
             by_text: BTreeMap::new(),
+            constants: Vec::new(),
+            uncomputed: Vec::new(),
+            is_plant: false,
             as_bool: BTreeMap::new(),
             as_bits: BTreeMap::new(),
         }

@@ -35,6 +35,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
         let programs: &'p [Program<'m>] = &self.program.plants;
         for (number, program) in programs.iter().enumerate() {
             let mut lowering = Self::new(program, self.largest, self.clock);
+            lowering.is_plant = true;
             std::mem::swap(&mut self.aig, &mut lowering.aig);
             let part = Part::begin(number, lowering);
             let mut part = part?;
@@ -55,6 +56,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             evolved?;
             let of_part = &mut part.lowering;
             self.inputs.append(&mut of_part.inputs);
+            self.constants.append(&mut of_part.constants);
             self.overflow = self.aig.or(self.overflow, of_part.overflow);
             self.panics = self.aig.or(self.panics, of_part.panics);
             self.constraint = self.aig.and(self.constraint, of_part.constraint);

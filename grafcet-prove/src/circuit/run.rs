@@ -5,6 +5,7 @@ use std::rc::Rc;
 use grafcet_compiler::model::{Place, Statement as Code, Ty};
 use grafcet_compiler::program::{Expr, Mark, PlaceId, Role, Run, Statement, Type, Value};
 
+use super::free::Origin;
 use super::sym::Sym;
 use super::{Env, Lowering, Refused};
 use crate::aig::Lit;
@@ -176,7 +177,7 @@ impl<'m> Lowering<'_, 'm> {
         }
         // Nobody knows what it writes, nor whether it does.
         for write in &run.writes {
-            let sym = Sym::Free(self.free(&run.code.text, Vec::new(), true));
+            let sym = Sym::Free(self.free(Origin::Made(run.code.text.clone()), Vec::new(), true));
             let sym = match self.program.places[write.to.0].ty {
                 Type::User(Ty::Other(_)) if self.variants(write.to).is_some() => {
                     return Err(Refused("a block that writes an enum and is not looked into".to_owned()));
@@ -185,7 +186,7 @@ impl<'m> Lowering<'_, 'm> {
             };
             self.write(env, write.to, sym)?;
             if let Some(noted) = write.noted {
-                let sym = Sym::Free(self.free(&run.code.text, Vec::new(), true));
+                let sym = Sym::Free(self.free(Origin::Made(run.code.text.clone()), Vec::new(), true));
                 self.write(env, noted, sym)?;
             }
         }

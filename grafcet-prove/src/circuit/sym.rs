@@ -3,7 +3,7 @@
 use grafcet_compiler::model::{Id, StepId, Ty, Variants};
 use grafcet_compiler::program::{PlaceId, Program, Type, Value};
 
-use super::free::Origin;
+use super::free::{As, Origin};
 use super::{Lowering, Refused};
 use crate::aig::Lit;
 use crate::bits::{self, Bits};
@@ -109,7 +109,10 @@ impl<'m> Lowering<'_, 'm> {
                 Sym::Bool(self.aig.mux(condition, a, *b))
             }
             (Sym::Bool(_), Sym::Free(_)) => self.mux(!condition, otherwise, then)?,
-            (Sym::Free(_), _) | (_, Sym::Free(_)) => Sym::Free(self.choice(condition, then, otherwise)),
+            (Sym::Free(_), _) | (_, Sym::Free(_)) => {
+                let choice = Origin::Choice(condition, then.clone(), otherwise.clone());
+                Sym::Free(self.free(choice, Vec::new(), true))
+            }
             _ => return Err(Refused("values that do not belong together".to_owned())),
         })
     }
@@ -125,7 +128,7 @@ impl<'m> Lowering<'_, 'm> {
     pub(super) fn time(&mut self, sym: &Sym) -> Result<Bits, Refused> {
         match sym {
             Sym::Ticks(bits) => Ok(bits.clone()),
-            Sym::Free(id) => self.free_bits(*id, self.clock.width, false),
+            Sym::Free(id) => self.free_bits(*id, self.clock.width, As::Time),
             _ => Err(Refused("a time that is none".to_owned())),
         }
     }
@@ -139,7 +142,7 @@ impl<'m> Lowering<'_, 'm> {
                 let Some(width) = Width::of(ty)? else { return Err(Refused("an integer".to_owned())) };
                 match sym {
                     Sym::Int(bits, _) => Ok(self.fitted(&bits, Some(width))),
-                    Sym::Free(id) => Ok(Sym::Int(self.free_bits(id, width.bits, width.signed)?, Some(width))),
+                    Sym::Free(id) => self.free_number(id, width),
                     _ => Err(Refused("an integer that is none".to_owned())),
                 }
             }
@@ -148,6 +151,11 @@ impl<'m> Lowering<'_, 'm> {
             | (Type::Phase | Type::User(_), sym) => Ok(sym),
             _ => Err(Refused("a value of another type".to_owned())),
         }
+    }
+
+    /// An integer of a type of which nobody knows more.
+    pub(super) fn free_number(&mut self, id: FreeId, width: Width) -> Result<Sym, Refused> {
+        Ok(Sym::Int(self.free_bits(id, width.bits, As::Number { signed: width.signed })?, Some(width)))
     }
 
     /// What a place keeps of a value: of an enum whose variants the chart lists, the variant's place in the list.
@@ -169,19 +177,20 @@ impl<'m> Lowering<'_, 'm> {
 
     /// The same of Rust: the path of a variant, one of two, or any.
     fn free_variant(&mut self, id: FreeId, variants: &Variants) -> Result<Sym, Refused> {
-        let text = match &self.origins[id] {
-            Origin::Rust(text) => text,
+        match &self.origins[id] {
             Origin::Choice(condition, then, otherwise) => {
                 let (condition, then, otherwise) = (*condition, then.clone(), otherwise.clone());
                 let (then, otherwise) = (self.variant(then, variants)?, self.variant(otherwise, variants)?);
                 return self.mux(condition, &then, &otherwise);
             }
-        };
-        if let Some(place) = variants.place_of(text) {
-            return Ok(Sym::int(i128::try_from(place).unwrap_or(0)));
+            Origin::Text(text, _) | Origin::Constant(text) | Origin::Made(text) => {
+                if let Some(place) = variants.place_of(text) {
+                    return Ok(Sym::int(i128::try_from(place).unwrap_or(0)));
+                }
+            }
         }
         let count = variants.list.len();
-        let bits = self.free_bits(id, bits::width(count - 1), false)?;
+        let bits = self.free_bits(id, bits::width(count - 1), As::Number { signed: false })?;
         let is_one = bits::below(&mut self.aig, &bits, &bits::constant(i128::try_from(count).unwrap_or(0)));
         self.constraint = self.aig.and(self.constraint, is_one);
         Ok(Sym::Int(bits, None))

@@ -1,13 +1,17 @@
 //! The user's expressions. Integers are computed exactly; a result that does not fit into its type goes on at the other end, and is noted.
 
-use grafcet_compiler::model::{Binary, Computed, How, Integer, Read, Tree, Unary};
+use grafcet_compiler::model::{Binary, Computed, How, Integer, Name, Read, Tree, Unary};
 
-use super::sym::{Sym, Width};
+use super::free::Origin;
+use super::sym::{FreeId, Sym, Width};
 use super::{Lowering, Refused};
 use crate::aig::{Aig, Lit};
 use crate::bits::{self, Bits};
 
 type Reads = [(Read, Sym)];
+
+/// The greatest exponent that is multiplied out, as in the compiler's own analysis.
+const EXPONENT: i128 = 8;
 
 impl Lowering<'_, '_> {
     pub(super) fn tree(&mut self, tree: &Tree, reads: &Reads) -> Result<Sym, Refused> {
@@ -36,17 +40,31 @@ impl Lowering<'_, '_> {
                 let (a, b) = (self.tree(a, reads)?, self.tree(b, reads)?);
                 self.binary(*operator, &a, &b)
             }
-            Tree::Opaque { text, reads: mentions, call, of, .. } => {
+            Tree::Opaque { text, reads: mentions, call, of, whole, .. } => {
                 if let Some(computed) = of {
                     if let Some(sym) = self.computed(computed, reads)? {
                         return Ok(sym);
+                    }
+                    if computed.how != How::Other {
+                        self.uncomputed.push(text.clone());
                     }
                 }
                 let mut values = Vec::new();
                 for read in mentions {
                     values.push(bound(*read, reads)?);
                 }
-                Ok(Sym::Free(self.free(text, values, call.is_some())))
+                let origin = match (call, text.clone()) {
+                    (Some(_), text) => Origin::Text(text, None),
+                    // Of integers it is a method of Rust's own, which comes to one value alone.
+                    (None, text) if *whole => Origin::Made(text),
+                    (None, text) if !values.is_empty() => match names(mentions) {
+                        Some(names) => Origin::Text(text, Some(names)),
+                        None => Origin::Made(text),
+                    },
+                    (None, text) if is_constant(&text) => Origin::Constant(text),
+                    (None, text) => Origin::Made(text),
+                };
+                Ok(Sym::Free(self.free(origin, values, call.is_some())))
             }
         }
     }
@@ -63,7 +81,7 @@ impl Lowering<'_, '_> {
                 let exact = bits::neg(&mut self.aig, value);
                 self.fitted(&exact, *width)
             }
-            (operator, Sym::Free(_)) => Sym::Free(self.free(&format!("{operator:?}"), vec![operand.clone()], false)),
+            (operator, Sym::Free(_)) => self.made(&format!("{operator:?}"), vec![operand.clone()]),
             _ => return Err(Refused(format!("{operator:?} of this"))),
         })
     }
@@ -71,9 +89,40 @@ impl Lowering<'_, '_> {
     fn binary(&mut self, operator: Binary, a: &Sym, b: &Sym) -> Result<Sym, Refused> {
         match (a, b) {
             (Sym::Int(a, left), Sym::Int(b, right)) => self.integers(operator, a, b, *left, *right),
+            (Sym::Int(_, Some(width)), Sym::Free(id)) if keeps_type(operator) => {
+                let b = self.free_number(*id, *width)?;
+                self.binary(operator, a, &b)
+            }
+            (Sym::Free(id), Sym::Int(_, Some(width))) if keeps_type(operator) => {
+                let a = self.free_number(*id, *width)?;
+                self.binary(operator, &a, b)
+            }
+            (Sym::Int(_, None), Sym::Free(id)) if compares(operator) => {
+                let b = self.some_number(*id)?;
+                self.binary(operator, a, &b)
+            }
+            (Sym::Free(id), Sym::Int(_, None)) if compares(operator) => {
+                let a = self.some_number(*id)?;
+                self.binary(operator, &a, b)
+            }
+            (Sym::Free(id), Sym::Free(other)) if compares(operator) && id != other => {
+                let width = self.known_number(*id).or_else(|| self.known_number(*other));
+                let Some(width) = width else {
+                    return Ok(self.made(&format!("{operator:?}"), vec![a.clone(), b.clone()]));
+                };
+                let (a, b) = (self.free_number(*id, width)?, self.free_number(*other, width)?);
+                self.binary(operator, &a, &b)
+            }
+            (Sym::Bool(_), Sym::Free(id)) => {
+                let b = Sym::Bool(self.free_bool(*id)?);
+                self.binary(operator, a, &b)
+            }
+            (Sym::Free(id), Sym::Bool(_)) => {
+                let a = Sym::Bool(self.free_bool(*id)?);
+                self.binary(operator, &a, b)
+            }
             (Sym::Free(_), _) | (_, Sym::Free(_)) => {
-                let id = self.free(&format!("{operator:?}"), vec![a.clone(), b.clone()], false);
-                Ok(Sym::Free(id))
+                Ok(self.made(&format!("{operator:?}"), vec![a.clone(), b.clone()]))
             }
             (Sym::Ticks(a), Sym::Ticks(b)) => match operator {
                 Binary::Add => Ok(Sym::Ticks(self.add_times(a, b))),
@@ -96,6 +145,13 @@ impl Lowering<'_, '_> {
             }
             _ => Err(Refused(format!("{operator:?} of different things"))),
         }
+    }
+
+    /// What is compared with a literal is an integer. Where nothing tells of which type, it is one of 64 bits: what any other one
+    /// comes to, a number of these comes to, too.
+    fn some_number(&mut self, id: FreeId) -> Result<Sym, Refused> {
+        let width = self.known_number(id).unwrap_or(Width { signed: true, bits: 64 });
+        self.free_number(id, width)
     }
 
     fn compared(&mut self, operator: Binary, a: &Bits, b: &Bits) -> Result<Sym, Refused> {
@@ -214,6 +270,15 @@ impl Lowering<'_, '_> {
                 let difference = bits::sub(&mut self.aig, a, &b);
                 Some(Sym::Int(self.magnitude(&difference), Some(Width { signed: false, ..width })))
             }
+            (How::DivEuclid | How::RemEuclid, Some(b), Some(width)) => Some(self.euclidean(computed.how, a, &b, width)),
+            (How::Pow, Some(exponent), _) => {
+                let Some(exponent) = bits::known(&exponent).filter(|exponent| (0..=EXPONENT).contains(exponent)) else {
+                    return Ok(None);
+                };
+                let one = Sym::Int(bits::constant(1), width);
+                let power = (0..exponent).try_fold(one, |power, _| self.binary(Binary::Mul, &power, &operands[0]));
+                Some(power?)
+            }
             (How::Signum, ..) => {
                 let zero = bits::equal(&mut self.aig, a, &bits::constant(0));
                 let one = bits::mux(&mut self.aig, bits::sign(a), &bits::constant(-1), &bits::constant(1));
@@ -221,6 +286,23 @@ impl Lowering<'_, '_> {
             }
             _ => None,
         })
+    }
+
+    /// The rest is never negative, and the quotient goes with it. As with `%`, the division has to fit.
+    fn euclidean(&mut self, how: How, a: &Bits, b: &Bits, width: Width) -> Sym {
+        let zero = bits::equal(&mut self.aig, b, &bits::constant(0));
+        self.note_panic(zero);
+        let (quotient, rest) = bits::div_rem(&mut self.aig, a, b);
+        let (is_short, magnitude) = (bits::sign(&rest), self.magnitude(b));
+        let lifted = bits::add(&mut self.aig, &rest, &magnitude);
+        let one = bits::mux(&mut self.aig, bits::sign(b), &bits::constant(-1), &bits::constant(1));
+        let lowered = bits::sub(&mut self.aig, &quotient, &one);
+        let quotient = bits::mux(&mut self.aig, is_short, &lowered, &quotient);
+        let fits = bits::fits(&mut self.aig, &quotient, width.signed, width.bits);
+        self.note_panic(!fits);
+        let rest = bits::mux(&mut self.aig, is_short, &lifted, &rest);
+        let result = if how == How::DivEuclid { quotient } else { rest };
+        Sym::Int(bits::wrap(&result, width.signed, width.bits), Some(width))
     }
 
     fn exact(&mut self, operator: Binary, a: &Bits, b: &Bits) -> Option<Bits> {
@@ -255,6 +337,29 @@ impl Lowering<'_, '_> {
         let minus = bits::neg(&mut self.aig, a);
         bits::mux(&mut self.aig, bits::sign(a), &minus, a)
     }
+}
+
+/// None where it reads anything else.
+fn names(reads: &[Read]) -> Option<Vec<Name>> {
+    let name = |read: &Read| if let Read::Name(name) = read { Some(*name) } else { None };
+    reads.iter().map(name).collect()
+}
+
+/// `MOST`, `limits::MOST`: a path to what is written in capitals is a constant, and has one value for ever.
+fn is_constant(text: &str) -> bool {
+    let is_word = |word: &str| word.chars().all(|c| c.is_alphanumeric() || c == '_') && !word.is_empty();
+    let last = text.rsplit("::").next().unwrap_or_default().trim();
+    let capital = last.len() > 1 && last.starts_with(char::is_uppercase) && !last.contains(char::is_lowercase);
+    capital && text.split("::").all(|word| is_word(word.trim()))
+}
+
+fn compares(operator: Binary) -> bool {
+    matches!(operator, Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge)
+}
+
+/// What meets an integer in it is one of the same type. Others may be multiplied with one, or divide it, as durations do; a shift has its own.
+fn keeps_type(operator: Binary) -> bool {
+    !matches!(operator, Binary::Mul | Binary::Div | Binary::Shl | Binary::Shr)
 }
 
 /// None of `usize`, whose limits are those of the machine.

@@ -4,7 +4,7 @@
 use grafcet_compiler::model::{Model, Name, Seen, Tree, Wire};
 
 use super::value::default;
-use super::{Cycle, Error, Interpreter, Memory, Value};
+use super::{Cycle, Error, Interpreter, Memory, Nothing, Value, World};
 
 /// A chart and its plants, which have made their first cycle, on outputs that are off, before the chart makes its own.
 #[derive(Clone)]
@@ -63,11 +63,25 @@ impl<'m> ClosedLoop<'m> {
     /// # Errors
     /// Those of [`Interpreter::cycle`].
     pub fn cycle(&mut self, inputs: &mut [Value], free: &[Vec<Value>], now: u32) -> Result<Round, Error> {
+        self.cycle_in(&Nothing, inputs, free, now)
+    }
+
+    /// The same with what the program around the chart contributes; around the plants there is nothing.
+    ///
+    /// # Errors
+    /// As of [`ClosedLoop::cycle`].
+    pub fn cycle_in(
+        &mut self,
+        world: &dyn World,
+        inputs: &mut [Value],
+        free: &[Vec<Value>],
+        now: u32,
+    ) -> Result<Round, Error> {
         let all = &self.model.plants;
         for driven in &all.driven {
             inputs[index(driven.input)] = self.shown[driven.plant][index(driven.output)];
         }
-        let chart = self.chart.cycle(inputs, now)?;
+        let chart = self.chart.cycle_in(world, inputs, now)?;
         let (mut plants, mut given) = (Vec::new(), Vec::new());
         for (number, plant) in all.list.iter().enumerate() {
             let mut values = Vec::new();
@@ -90,7 +104,7 @@ impl<'m> ClosedLoop<'m> {
             inputs[index(watched.input)] = match watched.what {
                 Seen::Step(step) => Value::Bool(steps(&[step])),
                 Seen::Macro(id) => Value::Bool(steps(&all.list[watched.plant].model.macros[id].steps)),
-                Seen::Value(name) => machine.look(&super::Nothing, values).name(name)?,
+                Seen::Value(name) => machine.look(&Nothing, values).name(name)?,
             };
         }
         Ok(Round { chart, plants, given })

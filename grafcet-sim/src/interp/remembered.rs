@@ -1,7 +1,7 @@
 //! What properties remember of the ends of cycles: their edges and delays, which are none of the chart's.
 
 use super::time::Delayed;
-use super::{Error, Interpreter, Nothing, Value};
+use super::{Error, Interpreter, Value, World};
 use grafcet_compiler::model::{Id, MemoryId, Model, Remembers, Tree};
 
 /// The memories of a chart's properties, as the end of the last cycle left them.
@@ -30,26 +30,26 @@ impl Remembered {
     }
 
     /// After a cycle at a reading of the clock, whose inputs are given.
-    pub fn cycle(&mut self, chart: &Interpreter<'_>, inputs: &[Value], now: u32) {
+    pub fn cycle(&mut self, chart: &Interpreter<'_>, world: &dyn World, inputs: &[Value], now: u32) {
         let elapsed = self.now.map_or(0, |before| now.wrapping_sub(before));
         self.now = Some(now);
         // Each stands after those that it reads.
         for (id, memory) in chart.model.memories.iter() {
             let mut kept = self.all[id.index()];
-            kept.value = self.next(chart, inputs, (memory.kind, &memory.of.tree), elapsed, &mut kept).ok();
+            kept.value = self.next((chart, world), inputs, (memory.kind, &memory.of.tree), elapsed, &mut kept).ok();
             self.all[id.index()] = kept;
         }
     }
 
     fn next(
         &self,
-        chart: &Interpreter<'_>,
+        (chart, world): (&Interpreter<'_>, &dyn World),
         inputs: &[Value],
         (kind, of): (Remembers, &Tree),
         elapsed: u32,
         kept: &mut Kept,
     ) -> Result<bool, Error> {
-        let mut look = chart.look(&Nothing, inputs);
+        let mut look = chart.look(world, inputs);
         look.remembered = Some(self);
         let signal = look.holds(of);
         let before = std::mem::replace(&mut kept.signal, signal.as_ref().ok().copied());
@@ -69,8 +69,14 @@ impl Remembered {
     ///
     /// # Errors
     /// It is not understood, or would panic in Rust.
-    pub fn holds(&self, chart: &Interpreter<'_>, tree: &Tree, inputs: &[Value]) -> Result<bool, Error> {
-        let mut look = chart.look(&Nothing, inputs);
+    pub fn holds(
+        &self,
+        chart: &Interpreter<'_>,
+        world: &dyn World,
+        tree: &Tree,
+        inputs: &[Value],
+    ) -> Result<bool, Error> {
+        let mut look = chart.look(world, inputs);
         look.remembered = Some(self);
         look.holds(tree)
     }

@@ -172,7 +172,9 @@ fn a_proof_that_is_none_is_refused() {
     let circuit = Circuit::of(&program).expect("a circuit");
     let task = Task::new(&circuit, circuit.bad[0].possible);
     let limit = Limit::none();
-    let fault = |excluded: Vec<Vec<u32>>| certificate::fault(&task, &Invariant { excluded }, &limit).expect("no limit");
+    let fault = |excluded: Vec<Vec<u32>>| {
+        certificate::fault(&task, &Invariant { excluded, depth: 0 }, &limit).expect("no limit")
+    };
     let Verdict::Proved(proof) = verdicts(&model).remove(0) else { panic!("it is proved") };
     assert_eq!(fault(proof.invariant.excluded.clone()), None);
     assert!(fault(Vec::new()).is_some(), "nothing is known, so something bad can happen");

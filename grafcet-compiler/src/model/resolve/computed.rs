@@ -4,7 +4,7 @@ use syn::Expr;
 
 use super::expr::Lower;
 use crate::list::List;
-use crate::model::{Binary, Computed, How, Integer};
+use crate::model::{Binary, Computed, How, Integer, Tree};
 
 impl Lower<'_, '_> {
     /// Resolves the operands of a cast or of a call that is arithmetic of integers; none, with nothing resolved, where it is
@@ -22,6 +22,11 @@ impl Lower<'_, '_> {
                 }
                 Some(Computed { how, operands: vec![self.lower(call.args.first_mut()?)] })
             }
+            // `u16::MAX` is a number that has this type.
+            Expr::Path(path) => {
+                let (ty, value) = limit(path)?;
+                Some(Computed { how: How::As(ty), operands: vec![Tree::Int(value)] })
+            }
             Expr::MethodCall(call) if call.turbofish.is_none() => {
                 let is_time = self.is_time(&call.receiver);
                 if !is_time && !self.is_whole(&call.receiver) {
@@ -36,6 +41,19 @@ impl Lower<'_, '_> {
             }
             _ => None,
         }
+    }
+}
+
+/// `u16::MAX`, `i8::MIN`, `u32::BITS`: its type, and what it is. Those of `usize` depend on the machine.
+pub(super) fn limit(path: &syn::ExprPath) -> Option<(Integer, i128)> {
+    let [ty, name] = [path.path.segments.first()?, path.path.segments.last()?].map(|segment| segment.ident.to_string());
+    let of = Integer::named(&ty).filter(|of| !of.is_size && of.bits <= 64 && path.path.segments.len() == 2)?;
+    let magnitude = of.bits - u32::from(of.signed);
+    match &*name {
+        "MAX" => Some((of, (1 << magnitude) - 1)),
+        "MIN" => Some((of, if of.signed { -(1 << magnitude) } else { 0 })),
+        "BITS" => Some((Integer { signed: false, bits: 32, is_size: false }, of.bits.into())),
+        _ => None,
     }
 }
 

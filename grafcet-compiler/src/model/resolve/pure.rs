@@ -7,7 +7,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprMethodCall, Lit, UnOp};
 
 use super::Resolver;
-use super::computed::made_from;
+use super::computed::{limit, made_from};
 use super::declare::Where;
 use super::expr::{Lower, step_path};
 use super::scope::Meaning;
@@ -93,6 +93,8 @@ impl Lower<'_, '_> {
                 _ => Value::Unknown,
             },
             Expr::Cast(cast) => Value::Of(methods::kind_of(&cast.ty)),
+            Expr::Call(call) if made_from(&call.func).is_some() => Value::Of(Kind::Number),
+            Expr::Path(path) if limit(path).is_some() => Value::Of(Kind::Number),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_) | UnOp::Neg(_)) => self.value_of(&unary.expr),
             Expr::Binary(binary) => match (self.value_of(&binary.left), self.value_of(&binary.right)) {
                 (number @ Value::Of(Kind::Number | Kind::Time), Value::Of(_)) => number,
@@ -153,6 +155,7 @@ impl Lower<'_, '_> {
                 let counts = matches!(self.value_of(&call.receiver), Value::Of(Kind::List(_)) | Value::Iterator);
                 is_number(expr) && (counts || self.is_whole(&call.receiver))
             }
+            Expr::Path(path) if limit(path).is_some() => true,
             Expr::Path(_) | Expr::Index(_) | Expr::Field(_) if is_number(expr) => {
                 let name = methods::root(expr).and_then(|root| self.resolver.scope.get(root));
                 matches!(name, Some(Meaning::Value(name)) if match self.resolver.model.ty(name) {
