@@ -10,7 +10,8 @@ use crate::replay::Shown;
 /// So many rows, and no more; of a longer way the middle is left out.
 const SHOWN: usize = 24;
 
-/// One line a cycle, below a line of heads. There is no column of times where nothing asks for one.
+/// One line a cycle, below a line of heads. There is no column of times where nothing asks for one. Below them stands what the program around
+/// the chart has to say on this way.
 #[must_use]
 pub fn table(model: &Model, way: &[Shown]) -> String {
     let own: Vec<InputId> = model.inputs.ids().filter(|id| !model.plants.is_watched(*id)).collect();
@@ -63,6 +64,16 @@ pub fn table(model: &Model, way: &[Shown]) -> String {
             _ = write!(line, "{:<width$} | ", row[*column]);
         }
         _ = writeln!(text, "{}", line.trim_end_matches([' ', '|']));
+    }
+    let mut asked: Vec<String> = Vec::new();
+    for (of, _) in way.iter().flat_map(|shown| &shown.told) {
+        let quoted = format!("`{of}`");
+        if !asked.contains(&quoted) {
+            asked.push(quoted);
+        }
+    }
+    if !asked.is_empty() {
+        _ = writeln!(text, "if the program ever comes to these values of {}", asked.join(", "));
     }
     text
 }

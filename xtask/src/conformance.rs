@@ -30,6 +30,32 @@ pub(crate) fn prove(arguments: &[&str]) -> Result {
     run_command(cargo(&program).args(arguments))
 }
 
+/// What claims something among the examples and the tests of the macro.
+const CLAIMING: [&str; 8] = [
+    "examples/charts/cell.rs",
+    "examples/charts/pick_and_place.rs",
+    "examples/charts/stroke.rs",
+    "tests/good/operating_modes.rs",
+    "tests/good/press.rs",
+    "tests/good/selections_of_rust.rs",
+    "tests/good/stop_anywhere.rs",
+    "tests/good/supervised_tank.rs",
+];
+
+/// The verdicts of `abc` beside ours: on the charts that claim something, and on 500 random ones.
+///
+/// # Errors
+/// `berkeley-abc` is missing, or one differs.
+pub(crate) fn beside_abc() -> Result {
+    for file in CLAIMING {
+        prove(&[file, "--seconds", "60", "--abc"])?;
+    }
+    for kind in ["plain", "times"] {
+        prove(&["--random", "125", "--kind", kind, "--abc"])?;
+    }
+    Ok(())
+}
+
 /// What CI runs: always the same charts.
 ///
 /// # Errors

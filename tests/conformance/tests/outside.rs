@@ -68,7 +68,9 @@ fn what_the_program_says_stands_in_the_way() {
     let way = broken(&found[0]);
     assert_eq!(way.len(), 2);
     assert_eq!(way[1].told, [("plausible(level)".to_owned(), Value::Bool(true))]);
-    assert!(table(&read(&text), way).contains("plausible(level)"), "{}", table(&read(&text), way));
+    let shown = table(&read(&text), way);
+    assert!(shown.contains(", go, plausible(level) |"), "{shown}");
+    assert!(shown.ends_with("if the program ever comes to these values of `plausible(level)`\n"), "{shown}");
     assert!(is_proved(&found[1]));
     // The limit may always be above the level.
     let last = broken(&found[2]).last().expect("cycles");
@@ -141,6 +143,13 @@ fn what_is_pure_has_one_value_for_each() {
     );
     assert!(undecided(&found[0]).contains("near"), "{:?}", found[0]);
     assert_eq!(broken(&found[1]).len(), 2);
+    let chart = |assumed: &str| {
+        verdicts(&format!(
+            "sfc C {{ input x: u8; assume pure near; {assumed} initial step A; step B; A -[near(x)]-> B -[true]-> A; never B.X && x > 3; }}"
+        ))
+    };
+    assert_eq!(broken(&chart("")[0]).len(), 2);
+    assert!(is_proved(&chart("assume never near(x) && x > 3;")[0]));
 }
 
 #[test]

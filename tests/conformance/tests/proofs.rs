@@ -217,7 +217,12 @@ fn the_compiler_asks_for_what_is_left_open() {
     assert!(message.contains("at the end of cycle 6 `parts > 2` holds"), "{message}");
     assert!(message.contains("Rest → Press | Press"), "{message}");
     assert!(!message.contains("start, down"), "one of them is enough: {message}");
-    let unknown = said("never near(parts);", prover);
+    let asked = said("never near(parts);", prover);
+    assert!(
+        matches!(&asked[..], [one] if one.contains("if the program ever comes to these values of `near(parts)`")),
+        "{asked:?}"
+    );
+    let unknown = said("never parts.count_ones() > 3;", prover);
     assert!(matches!(&unknown[..], [one] if one.contains("a solver was asked, too")), "{unknown:?}");
 }
 

@@ -8,6 +8,7 @@ use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_conformance::prove::differs;
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::Invariant;
@@ -17,7 +18,7 @@ use proc_macro2::{TokenStream, TokenTree};
 mod random;
 
 const USAGE: &str = "\
-Usage: cargo xtask prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE]
+Usage: cargo xtask prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE] [--abc]
        cargo xtask prove --random N [--first N] [--cycles N] [--seconds N] [--kind KIND]
               [--jobs N] [--show] [--abc]
 
@@ -30,10 +31,10 @@ Usage: cargo xtask prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE
   --random   small random charts, so many of each kind, beside a naive exploration
   --kind     of these, those of one kind alone: plain, remembering, times, plants
   --jobs     at a time (default: as many as there are processors)
-  --show     each chart, and how long it takes
+  --show     how long each chart takes, and the text of those with a property that is left undecided
   --first    the number of the first (default 1)
   --cycles   the most cycles of the exploration (default 20000)
-  --abc      and beside `berkeley-abc`";
+  --abc      beside `berkeley-abc`";
 
 /// What is asked for.
 struct Options {
@@ -180,6 +181,11 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
             (None, None, None) => continue,
         };
         let verdict = verdict.map_err(|error| error.to_string())?;
+        if let (true, Some(bad)) = (options.abc, bad) {
+            if let Some(difference) = differs(&program, &circuit, *bad, &verdict)? {
+                return Err(format!("{}: {difference}", written(&model, property)));
+            }
+        }
         say(&program, &circuit, property, &verdict, (start.elapsed(), options.why));
         let is_proved = matches!(verdict, Verdict::Proved(_));
         proved &= is_proved;

@@ -4,7 +4,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-use grafcet_conformance::prove::{Bounds, Counts, Kind, number, remembering};
+use grafcet_conformance::prove::{Bounds, Counts, Kind, number, remembering, text};
 use grafcet_conformance::with_plants;
 
 use super::Options;
@@ -65,6 +65,10 @@ fn kind(name: &str, drawn: Drawn, grafcet: bool, (charts, options): (u64, &Optio
                 same.store(false, Ordering::Relaxed);
             }
             if options.show && counts.charts > 0 {
+                if let (Drawn::Plain { timed }, false) = (drawn, counts.undecided.is_empty()) {
+                    let kind = Kind { grafcet, timed, several: true, abc: options.abc };
+                    println!("{:?}\n{}", counts.undecided, text(chart, kind));
+                }
                 println!("{name} {chart}: {} properties, {:.1} s", counts.properties(), before.elapsed().as_secs_f64());
             }
             done.fetch_add(counts.charts, Ordering::Relaxed);
