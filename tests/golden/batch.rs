@@ -401,7 +401,9 @@ impl Batch {
         self.now = now;
         self.since_0 = self.since_0 + elapsed;
         self.since_1 = self.since_1 + elapsed;
+        #[allow(unused_variables)]
         let before_0 = self.region_0;
+        #[allow(unused_variables)]
         let before_1 = self.region_1;
         let mut rising_now_0 = false;
         let value: ::grafcet::__private::bool = inputs.start;
@@ -473,7 +475,9 @@ impl Batch {
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
+        #[allow(unused_variables)]
         let after_0 = self.region_0;
+        #[allow(unused_variables)]
         let after_1 = self.region_1;
         if rising_now_0 {
             self.settled = false;

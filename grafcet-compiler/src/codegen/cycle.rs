@@ -31,11 +31,13 @@ impl Cx<'_> {
     /// The state of a region before the evolution.
     pub(super) fn before(&self, region: RegionId) -> TokenStream {
         let (before, state) = (names::before(region, self.plan), self.plain_state(region));
+        // In place, most of an evolution looks at the chart's own situation.
+        let unused = self.plan.shape.is_in_place().then(|| quote!(#[allow(unused_variables)]));
         if self.enters_first(region) {
             let (starting, empty) = (self.is_starting(At::Before), self.empty(region));
-            return quote!(let #before = if #starting { #empty } else { #state };);
+            return quote!(#unused let #before = if #starting { #empty } else { #state };);
         }
-        quote!(let #before = #state;)
+        quote!(#unused let #before = #state;)
     }
 
     /// A region after the first one whose initial step is entered in the first cycle of an `sfc`.
@@ -44,10 +46,10 @@ impl Cx<'_> {
     }
 
     /// The situation before the evolution, and the one after it as far as nothing clears. Where the evolution happens in
-    /// place, what `code` looks at of the situation before, and the one after is the chart's own.
-    pub(super) fn snapshot(&self, code: &TokenStream) -> TokenStream {
+    /// place, the one after is the chart's own.
+    pub(super) fn snapshot(&self) -> TokenStream {
         let in_place = self.plan.shape.is_in_place();
-        let befores = if in_place { self.befores_for(code) } else { self.befores() };
+        let befores = self.befores();
         let afters = (0..self.plan.regions.all().len()).map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             let own = !in_place && !self.plan.shape.is_flags();

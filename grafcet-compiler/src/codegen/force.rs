@@ -196,7 +196,7 @@ impl Cx<'_> {
         let (evolve, look) = (self.forced_snapshot(), self.befores());
         let (keep, put_back) = self.keep_edges();
         let (continuous, calls, result) = (self.continuous(), self.continuous_calls(), self.result());
-        let stable = self.stable_situation(&TokenStream::new());
+        let stable = self.stable_situation();
         quote! {
             #outputs #forget #time #start
             #declare_edges #still

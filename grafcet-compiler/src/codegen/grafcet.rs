@@ -19,7 +19,7 @@ impl Cx<'_> {
         let search = self.search();
         let left = self.left_by_start();
         let (continuous, calls, result) = (self.continuous(), self.continuous_calls(), self.result());
-        let stable = self.stable_situation(&quote!(#continuous #calls #result));
+        let stable = self.stable_situation();
         let outputs = self.declare_outputs();
         let forget = self.forget_instability();
         // The outputs come first: after the search, the compiler would clear them again in every arm.
@@ -78,7 +78,7 @@ impl Cx<'_> {
         let first_evolution = first_evolution.then(|| quote!(first_evolution = false;));
         let (stored, commit_collected) = (self.do_stored(), self.commit_collected());
         let (commit, restart) = (self.commit(), self.restart_times());
-        let evolve = self.evolve_or_stop(&quote!(#stored #commit_collected #restart));
+        let evolve = self.evolve_or_stop();
         let time = self.assume_settled();
         let opaque = self.opaque_inputs();
         // In place, an evolution reads each state where it uses it: held in registers, the states would be moved from one to
@@ -88,21 +88,20 @@ impl Cx<'_> {
         let gone = self.edge_names();
         let gone = (!gone.is_empty()).then(|| self.unsettle_if(&quote!(#(#gone)||*)));
         let unsettle = self.unsettle_delays();
-        let code = quote! {
-            #combinational #keep_edges #edges #first_evolution
-            #evolve
-            #bound
-            #stored #commit_collected #commit #restart #unsettle #forget
-        };
-        let snapshot = self.snapshot(&code);
-        let body = quote!({ #each #snapshot #code });
+        let snapshot = self.snapshot();
         quote! {
             #declare_bound
             #declare_edges
             #still
             #time
             #once
-            loop #body
+            loop {
+                #each #snapshot
+                #combinational #keep_edges #edges #first_evolution
+                #evolve
+                #bound
+                #stored #commit_collected #commit #restart #unsettle #forget
+            }
             #gone
         }
     }
@@ -129,14 +128,14 @@ impl Cx<'_> {
     }
 
     /// One evolution, or the end of the search where nothing changes.
-    fn evolve_or_stop(&self, rest: &TokenStream) -> TokenStream {
+    fn evolve_or_stop(&self) -> TokenStream {
         let (declare, collect) = (self.declare_collected(), self.collect_stored());
         let unchanged = self.unchanged();
         if !self.plan.shape.is_in_place() {
             let (moved, evolve) = (self.declare_moved(), self.evolve());
             return quote!(#declare #moved #evolve #collect if #unchanged { break; });
         }
-        let afters = self.afters_for(&quote!(#collect #rest));
+        let afters = self.afters();
         if self.plan.shape.evolves_apart() {
             let (evolve, probe) = (names::evolve(), self.probe());
             return quote!(#probe if !self.#evolve(inputs) { break; } #afters);
@@ -199,7 +198,7 @@ impl Cx<'_> {
     }
 
     /// The situation the search has reached, for the continuous actions.
-    pub(super) fn stable_situation(&self, rest: &TokenStream) -> TokenStream {
+    pub(super) fn stable_situation(&self) -> TokenStream {
         let continuous = self.model.associations.values().any(|a| !crate::plan::is_stored(a));
         if !continuous {
             return TokenStream::new();
@@ -211,7 +210,7 @@ impl Cx<'_> {
         let combinational = self.all_combinational(Moment::Stable);
         if self.plan.shape.is_in_place() {
             let fence = self.fence();
-            let states = self.afters_for(&quote!(#combinational #rest));
+            let states = self.afters();
             return quote!(#fence #states #combinational);
         }
         if self.plan.shape.is_flags() {

@@ -1,7 +1,7 @@
 //! An evolution of parallel branches that changes the situation in place: a state is read where it is used, and written
 //! where a transition clears. The situation before the evolution is kept only where something looks at it later.
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream};
 
 use super::bind::Moment;
 use super::situation::At;
@@ -144,37 +144,20 @@ impl Cx<'_> {
         quote!(#(#terms)&&*)
     }
 
-    /// `let before_1 = self.situation_1;` for the regions whose situation before the evolution `code` looks at.
-    pub(super) fn befores_for(&self, code: &TokenStream) -> TokenStream {
-        let mut named = Set::new();
-        identifiers(code.clone(), &mut named);
-        let mut all = TokenStream::new();
-        for region in (0..self.plan.regions.all().len()).rev() {
-            if named.contains(&names::before(region, self.plan).to_string()) {
-                let before = self.before(region);
-                // What a region was before the first cycle, the first one's state tells.
-                identifiers(before.clone(), &mut named);
-                all = quote!(#before #all);
-            }
-        }
-        all
-    }
-
-    /// `let after_1 = self.situation_1;` for the regions whose situation after the evolution `code` looks at.
-    pub(super) fn afters_for(&self, code: &TokenStream) -> TokenStream {
-        let mut named = Set::new();
-        identifiers(code.clone(), &mut named);
-        let is_named = |after: &Ident| named.contains(&after.to_string());
-        let all = 0..self.plan.regions.all().len();
-        let all = all.map(|region| (names::after(region, self.plan), self.plain_state(region)));
-        all.filter(|(after, _)| is_named(after)).map(|(after, state)| quote!(let #after = #state;)).tokens()
+    /// `let after_1 = self.situation_1;`: the situation after the evolution, of which not all is looked at.
+    pub(super) fn afters(&self) -> TokenStream {
+        let after = |region| {
+            let (after, state) = (names::after(region, self.plan), self.plain_state(region));
+            quote!(#[allow(unused_variables)] let #after = #state;)
+        };
+        (0..self.plan.regions.all().len()).map(after).tokens()
     }
 
     /// The function that does one evolution and says whether it has changed the situation.
     pub(super) fn evolve_function(&self) -> Option<TokenStream> {
         let evolve = self.plan.shape.evolves_apart().then(|| self.evolve())?;
         let (p, inputs, name) = (&self.p, &self.names.inputs, names::evolve());
-        let befores = self.befores_for(&evolve);
+        let befores = self.befores();
         let copied = super::requirements::copied(self.model, &self.p);
         Some(quote! {
             /// One evolution; whether it has changed the situation.
@@ -187,15 +170,5 @@ impl Cx<'_> {
                 moved
             }
         })
-    }
-}
-
-fn identifiers(tokens: TokenStream, names: &mut Set<String>) {
-    for token in tokens {
-        match token {
-            TokenTree::Ident(ident) => _ = names.insert(ident.to_string()),
-            TokenTree::Group(group) => identifiers(group.stream(), names),
-            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
-        }
     }
 }

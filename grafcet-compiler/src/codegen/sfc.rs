@@ -28,15 +28,17 @@ impl Cx<'_> {
         let result = self.result();
         // The outputs come first: after the evolution, the compiler would clear them again in every arm.
         let outputs = self.declare_outputs();
-        let rest = quote!(#settle #actions #result);
         let afters = self.plan.shape.is_in_place().then(|| {
-            let (fence, afters) = (self.fence(), self.afters_for(&rest));
+            let (fence, afters) = (self.fence(), self.afters());
             quote!(#fence #afters)
         });
         let moved = self.declare_moved();
-        let code = quote!(#declare_edges #samples #moved #keep #evolve #commit #afters #rest);
-        let snapshot = self.snapshot(&code);
-        quote!(#outputs #time #first #snapshot #code)
+        let snapshot = self.snapshot();
+        quote! {
+            #outputs #time #first #snapshot
+            #declare_edges #samples #moved #keep #evolve #commit #afters
+            #settle #actions #result
+        }
     }
 
     /// All that comes after the evolution but the outputs.

@@ -11,6 +11,14 @@ impl Presses {
             core::sync::atomic::compiler_fence(
                 core::sync::atomic::Ordering::SeqCst,
             );
+            #[allow(unused_variables)]
+            let before_0 = self.region_0.state();
+            #[allow(unused_variables)]
+            let before_1 = self.region_1;
+            #[allow(unused_variables)]
+            let before_2 = self.region_2;
+            #[allow(unused_variables)]
+            let before_3 = self.region_3;
             if evolutions_left == 0 {
                 let mut copy = *self;
                 if copy.__evolve(inputs) {
@@ -21,6 +29,14 @@ impl Presses {
             if !self.__evolve(inputs) {
                 break;
             }
+            #[allow(unused_variables)]
+            let after_0 = self.region_0.state();
+            #[allow(unused_variables)]
+            let after_1 = self.region_1;
+            #[allow(unused_variables)]
+            let after_2 = self.region_2;
+            #[allow(unused_variables)]
+            let after_3 = self.region_3;
             evolutions_left -= 1;
         }
         outputs
@@ -29,6 +45,14 @@ impl Presses {
     #[inline(never)]
     fn __evolve(&mut self, inputs: &PressesInputs) -> bool {
         let mut moved = false;
+        #[allow(unused_variables)]
+        let before_0 = self.region_0.state();
+        #[allow(unused_variables)]
+        let before_1 = self.region_1;
+        #[allow(unused_variables)]
+        let before_2 = self.region_2;
+        #[allow(unused_variables)]
+        let before_3 = self.region_3;
         match self.region_0.state() {
             __PressesRegion0::Wait => {
                 if inputs.start {

@@ -13,6 +13,10 @@ impl Presses {
             core::sync::atomic::compiler_fence(
                 core::sync::atomic::Ordering::SeqCst,
             );
+            #[allow(unused_variables)]
+            let before_0 = self.region_0;
+            #[allow(unused_variables)]
+            let before_1 = self.region_1;
             let mut moved = false;
             match self.region_0 {
                 __PressesRegion0::Wait => {
@@ -51,6 +55,10 @@ impl Presses {
                     }
                 }
             }
+            #[allow(unused_variables)]
+            let after_0 = self.region_0;
+            #[allow(unused_variables)]
+            let after_1 = self.region_1;
             if !moved {
                 break;
             }
@@ -58,6 +66,10 @@ impl Presses {
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
+        #[allow(unused_variables)]
+        let after_0 = self.region_0;
+        #[allow(unused_variables)]
+        let after_1 = self.region_1;
         match self.region_0 {
             __PressesRegion0::Wait => {}
             _ => {

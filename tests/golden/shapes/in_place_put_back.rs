@@ -15,6 +15,10 @@ impl Presses {
             core::sync::atomic::compiler_fence(
                 core::sync::atomic::Ordering::SeqCst,
             );
+            #[allow(unused_variables)]
+            let before_0 = self.region_0.state();
+            #[allow(unused_variables)]
+            let before_1 = self.region_1;
             let mut moved = false;
             let kept_region_0 = self.region_0;
             let kept_region_1 = self.region_1;
@@ -57,6 +61,10 @@ impl Presses {
                     }
                 }
             }
+            #[allow(unused_variables)]
+            let after_0 = self.region_0.state();
+            #[allow(unused_variables)]
+            let after_1 = self.region_1;
             if !moved {
                 break;
             }
@@ -71,6 +79,10 @@ impl Presses {
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
+        #[allow(unused_variables)]
+        let after_0 = self.region_0.state();
+        #[allow(unused_variables)]
+        let after_1 = self.region_1;
         match self.region_0.state() {
             __PressesRegion0::Wait => {}
             _ => {

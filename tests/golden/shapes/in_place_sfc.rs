@@ -8,6 +8,10 @@ impl Presses {
             left: false,
             right: false,
         };
+        #[allow(unused_variables)]
+        let before_0 = self.region_0;
+        #[allow(unused_variables)]
+        let before_1 = self.region_1;
         match self.region_0 {
             __PressesRegion0::Wait => {
                 if inputs.start {
@@ -59,6 +63,10 @@ impl Presses {
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
+        #[allow(unused_variables)]
+        let after_0 = self.region_0;
+        #[allow(unused_variables)]
+        let after_1 = self.region_1;
         outputs
     }
 }

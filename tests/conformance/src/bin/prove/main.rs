@@ -29,7 +29,7 @@ Usage: cargo xtask prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE
   --btor2    the same as BTOR2
 
   --random   small random charts, so many of each kind, beside a naive exploration
-  --kind     of these, those of one kind alone: plain, remembering, times, plants
+  --kind     of these, those of one kind alone: plain, remembering, times, plants, of one dialect with `sfc ` or `grafcet ` in front
   --jobs     at a time (default: as many as there are processors)
   --show     how long each chart takes, and the text of those with a property that is left undecided
   --first    the number of the first (default 1)

@@ -30,22 +30,22 @@ const DRAWN: [(&str, Drawn); 4] = [
 /// So many charts of each kind; whether none differs.
 pub(super) fn all(charts: u64, options: &Options) -> Result<bool, String> {
     let mut same = true;
-    let asked = |name: &str| options.kind.as_ref().is_none_or(|kind| kind == name);
-    let kinds: Vec<_> = DRAWN.into_iter().filter(|(name, _)| asked(name)).collect();
-    if kinds.is_empty() {
-        return Err(format!("--kind takes {}", DRAWN.map(|(name, _)| name).join(", ")));
-    }
-    for (name, drawn) in kinds {
-        for grafcet in [false, true] {
-            let dialect = if grafcet { "grafcet" } else { "sfc" };
-            same &= kind(&format!("{dialect}, {name}"), drawn, grafcet, (charts, options));
+    let mut found = false;
+    for (kind, drawn) in DRAWN {
+        for (grafcet, dialect) in [(false, "sfc"), (true, "grafcet")] {
+            let name = format!("{dialect} {kind}");
+            if options.kind.as_ref().is_none_or(|asked| asked == kind || *asked == name) {
+                found = true;
+                same &= of_kind(&name, drawn, grafcet, (charts, options));
+            }
         }
     }
-    Ok(same)
+    let kinds = || DRAWN.map(|(kind, _)| kind).join(", ");
+    if found { Ok(same) } else { Err(format!("--kind takes one of {}, with `sfc ` or `grafcet ` in front", kinds())) }
 }
 
 /// The charts of one kind; whether none differs.
-fn kind(name: &str, drawn: Drawn, grafcet: bool, (charts, options): (u64, &Options)) -> bool {
+fn of_kind(name: &str, drawn: Drawn, grafcet: bool, (charts, options): (u64, &Options)) -> bool {
     let bounds = Bounds { cycles: options.cycles, time: options.time.unwrap_or(Duration::from_secs(20)) };
     let (next, done, same) = (AtomicU64::new(options.first), AtomicUsize::new(0), AtomicBool::new(true));
     let (all, start) = (Mutex::new(Counts::default()), Instant::now());
