@@ -1,6 +1,6 @@
 //! What the program around a chart has to tell: Rust that the chart's source does not.
 
-use grafcet_compiler::model::{Binary, Effect, How, Model, Read, Statement, Tree};
+use grafcet_compiler::model::{Binary, Computed, Effect, How, Model, Read, Statement, Tree};
 
 use crate::chart::Chart;
 use crate::interp::is_literal;
@@ -93,6 +93,11 @@ impl Walk<'_> {
                 self.tree(b, &of);
             }
             Tree::Opaque { text, of, .. } => match of.as_deref().filter(|of| of.how != How::Other) {
+                Some(Computed { how: How::If, operands }) => {
+                    for (operand, wanted) in operands.iter().zip([&Kind::Bool, wanted, wanted]) {
+                        self.tree(operand, wanted);
+                    }
+                }
                 Some(of) => of.operands.iter().for_each(|operand| self.tree(operand, &NUMBER)),
                 None if is_literal(text) => {}
                 None => self.found(text, wanted),

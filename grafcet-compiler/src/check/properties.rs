@@ -359,7 +359,8 @@ fn is_arithmetic(model: &Model, tree: &Tree) -> bool {
         Tree::Unary(_, inner) => is_arithmetic(model, inner),
         Tree::Binary(_, a, b) => is_arithmetic(model, a) && is_arithmetic(model, b),
         Tree::Opaque { of: Some(computed), .. } => {
-            computed.how != How::Other && computed.operands.iter().all(|tree| is_arithmetic(model, tree))
+            !matches!(computed.how, How::If | How::Other)
+                && computed.operands.iter().all(|tree| is_arithmetic(model, tree))
         }
         _ => false,
     }

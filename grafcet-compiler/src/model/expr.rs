@@ -228,6 +228,8 @@ pub enum How {
     RemEuclid,
     /// `a.pow(2)`
     Pow,
+    /// `if a { b } else { c }`: a condition and two values of any type.
+    If,
     /// In a way that nobody knows: `a.ilog2()`.
     Other,
 }

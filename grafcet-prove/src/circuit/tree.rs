@@ -40,7 +40,7 @@ impl Lowering<'_, '_> {
                 let (a, b) = (self.tree(a, reads)?, self.tree(b, reads)?);
                 self.binary(*operator, &a, &b)
             }
-            Tree::Opaque { text, reads: mentions, call, of, whole, .. } => {
+            Tree::Opaque { text, reads: mentions, call, of, whole, open } => {
                 if let Some(computed) = of {
                     if let Some(sym) = self.computed(computed, reads)? {
                         return Ok(sym);
@@ -56,7 +56,7 @@ impl Lowering<'_, '_> {
                 let origin = match (call, text.clone()) {
                     (Some(_), text) => Origin::Text(text, None),
                     // Of integers it is a method of Rust's own, which comes to one value alone.
-                    (None, text) if *whole => Origin::Made(text),
+                    (None, text) if *whole || !values.is_empty() && !(*open || is_call(&text)) => Origin::Made(text),
                     (None, text) if !values.is_empty() => match names(mentions) {
                         Some(names) => Origin::Text(text, Some(names)),
                         None => Origin::Made(text),
@@ -221,8 +221,24 @@ impl Lowering<'_, '_> {
         Sym::Int(result, width)
     }
 
+    /// One of two values, of which only one is evaluated.
+    fn chosen(&mut self, (condition, then, otherwise): (&Tree, &Tree, &Tree), reads: &Reads) -> Result<Sym, Refused> {
+        let condition = self.tree(condition, reads)?;
+        let condition = self.bool(&condition)?;
+        let path = self.path;
+        self.path = self.aig.and(path, condition);
+        let then = self.tree(then, reads)?;
+        self.path = self.aig.and(path, !condition);
+        let otherwise = self.tree(otherwise, reads)?;
+        self.path = path;
+        self.mux(condition, &then, &otherwise)
+    }
+
     /// Methods and casts, as far as they are known.
     fn computed(&mut self, computed: &Computed, reads: &Reads) -> Result<Option<Sym>, Refused> {
+        if let (How::If, [condition, then, otherwise]) = (computed.how, &computed.operands[..]) {
+            return self.chosen((condition, then, otherwise), reads).map(Some);
+        }
         let mut operands = Vec::new();
         for operand in &computed.operands {
             operands.push(self.tree(operand, reads)?);
@@ -343,6 +359,12 @@ impl Lowering<'_, '_> {
 fn names(reads: &[Read]) -> Option<Vec<Name>> {
     let name = |read: &Read| if let Read::Name(name) = read { Some(*name) } else { None };
     reads.iter().map(name).collect()
+}
+
+/// `near(x)`, `sensors::near(x)`, which may be said to be pure; no arithmetic of the chart's own.
+fn is_call(text: &str) -> bool {
+    let is_path = |text: &str| text.chars().all(|c| c.is_alphanumeric() || "_: ".contains(c)) && !text.is_empty();
+    text.ends_with(')') && text.split_once('(').is_some_and(|(path, _)| is_path(path) && !path.contains(' '))
 }
 
 /// `MOST`, `limits::MOST`: a path to what is written in capitals is a constant, and has one value for ever.

@@ -8,7 +8,7 @@ use super::remembered::Remembered;
 use super::value::{Error, Term, Value, accept, binary, unary};
 use super::world::Given;
 use grafcet_compiler::model::{
-    Binary, Blinker, Code, Computed, DelayId, EdgeId, Id, MacroId, Model, Name, OutputId, Place, Read, Statement,
+    Binary, Blinker, Code, Computed, DelayId, EdgeId, How, Id, MacroId, Model, Name, OutputId, Place, Read, Statement,
     StepId, TimeRef, Tree, VarId,
 };
 
@@ -68,6 +68,11 @@ impl View<'_> {
 
     /// Rust that has no node of its own: arithmetic written as methods, a literal, what the program tells.
     fn opaque(&self, text: &str, of: Option<&Computed>) -> Result<Term, Error> {
+        if let Some(Computed { how: How::If, operands }) = of {
+            // Only one of the two is evaluated.
+            let [condition, then, otherwise] = &operands[..] else { return Err(Error::NotUnderstood(text.to_owned())) };
+            return if self.holds(condition)? { self.eval(then) } else { self.eval(otherwise) };
+        }
         if let Some(of) = of {
             let operands: Result<Vec<Term>, Error> = of.operands.iter().map(|operand| self.eval(operand)).collect();
             match operands {

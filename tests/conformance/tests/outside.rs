@@ -181,6 +181,21 @@ fn euclidean_division_and_powers_are_exact() {
     assert!(undecided(&found[4]).contains("count_ones"), "{:?}", found[4]);
 }
 
+/// Of two values the condition takes one, and evaluates no other.
+#[test]
+fn one_of_two_values_is_computed() {
+    let found = verdicts(
+        "sfc C { input x: u8; input go: bool; var n: u8 = 0; var m: Mode in {Idle, Busy, Done} = Mode::Idle; initial step A;
+         step B { P1 n = if x > 250 { 250 } else if x > 9 { x } else { x + 1 }; P1 m = if go { Mode::Busy } else { Mode::Done }; }
+         A -[if go { x > 3 } else { x > 7 }]-> B -[x == 0]-> A;
+         never n > 250; never B.X && n == 9; never n == 5; never B.X && m == Mode::Idle; never m == Mode::Done && n < 9 && n > 0; never m == Mode::Busy; }",
+    );
+    assert!(is_proved(&found[0]) && is_proved(&found[3]), "{found:?}");
+    assert_eq!([1, 2, 5].map(|one| broken(&found[one]).len()), [2, 2, 2]);
+    assert!(is_proved(&found[4]), "{:?}", found[4]);
+    assert!(broken(&found[1]).iter().all(|shown| shown.told.is_empty()));
+}
+
 /// What the interpreter computes and the circuit does not is no reason to disagree.
 #[test]
 fn what_only_the_interpreter_computes_is_left_open() {

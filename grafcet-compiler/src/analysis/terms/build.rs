@@ -42,6 +42,7 @@ fn of_computed(model: &Model, Computed { how, operands }: &Computed) -> Option<I
         How::Get => Some(TIME),
         How::UnsignedAbs | How::AbsDiff => Some(Integer { signed: false, ..same()? }),
         How::Pow => integer(model, operands.first()?),
+        How::If => operands[1..].iter().find_map(|tree| integer(model, tree)),
         How::Other => None,
         _ => same(),
     }
@@ -124,7 +125,7 @@ impl Terms {
     /// A cast, or a method.
     fn called(&mut self, model: &Model, computed: &Computed, ty: Integer, before: bool) -> Option<usize> {
         let Computed { how, operands } = computed;
-        if *how == How::Other {
+        if matches!(how, How::If | How::Other) {
             return None;
         }
         let (first, second) = (operands.first()?, operands.get(1));
@@ -173,7 +174,7 @@ impl Terms {
                 let above = self.exact(Operation::Max, a, ends[0], ty);
                 self.exact(Operation::Min, above, ends[1], ty)
             }
-            How::As(_) | How::Get | How::Pow | How::Other => return None,
+            How::As(_) | How::Get | How::Pow | How::If | How::Other => return None,
         })
     }
 

@@ -22,6 +22,22 @@ impl Lower<'_, '_> {
                 }
                 Some(Computed { how, operands: vec![self.lower(call.args.first_mut()?)] })
             }
+            Expr::If(choice) => {
+                let (Some(then), Some((_, otherwise))) = (alone(&mut choice.then_branch), &mut choice.else_branch)
+                else {
+                    return None;
+                };
+                let otherwise = match &mut **otherwise {
+                    Expr::Block(block) if block.label.is_none() && block.attrs.is_empty() => alone(&mut block.block)?,
+                    otherwise @ Expr::If(_) => otherwise,
+                    _ => return None,
+                };
+                if binds(&choice.cond) {
+                    return None;
+                }
+                let condition = self.lower(&mut choice.cond);
+                Some(Computed { how: How::If, operands: vec![condition, self.lower(then), self.lower(otherwise)] })
+            }
             // `u16::MAX` is a number that has this type.
             Expr::Path(path) => {
                 let (ty, value) = limit(path)?;
@@ -41,6 +57,24 @@ impl Lower<'_, '_> {
             }
             _ => None,
         }
+    }
+}
+
+/// The value of a block that is nothing else.
+fn alone(block: &mut syn::Block) -> Option<&mut Expr> {
+    match &mut block.stmts[..] {
+        [syn::Stmt::Expr(value, None)] => Some(value),
+        _ => None,
+    }
+}
+
+/// `let Some(x) = y`, alone or in a chain of `&&`.
+fn binds(condition: &Expr) -> bool {
+    match condition {
+        Expr::Let(_) => true,
+        Expr::Binary(binary) => binds(&binary.left) || binds(&binary.right),
+        Expr::Paren(inner) => binds(&inner.expr),
+        _ => false,
     }
 }
 

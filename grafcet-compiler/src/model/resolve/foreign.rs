@@ -7,7 +7,7 @@ use super::expr::{Lower, Seen};
 use super::names::is_of_step;
 use super::scope::Meaning;
 use crate::list::PushAll;
-use crate::model::{Read, Tree};
+use crate::model::{How, Read, Tree};
 use crate::visit::{self, Locals, Visit};
 
 impl Lower<'_, '_> {
@@ -32,7 +32,7 @@ impl Lower<'_, '_> {
                 Tree::Opaque { text, reads, call: None, whole: false, open: false, of: None }
             }
             Tree::Opaque { text, reads, call, .. } => {
-                let of = computed.filter(|_| is_whole).map(Box::new);
+                let of = computed.filter(|computed| is_whole || computed.how == How::If).map(Box::new);
                 Tree::Opaque { text, reads, call, whole: is_whole, open: is_open, of }
             }
             tree => tree,
