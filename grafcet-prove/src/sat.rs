@@ -62,6 +62,15 @@ impl Limit {
         Self(Rc::new(Bound::Part(self.clone(), Cell::new(steps))))
     }
 
+    /// Half of the steps that are left, and so many at most.
+    pub(crate) fn half(&self, most: u64) -> Self {
+        let left = match &*self.0 {
+            Bound::Work(left) | Bound::Part(_, left) => left.get() / 2,
+            Bound::None | Bound::Until(..) | Bound::Watched(..) => most,
+        };
+        self.part(left.min(most))
+    }
+
     /// The same limit; `watch` is told how far the search is, and, with nothing, again and again that it goes on.
     #[must_use]
     pub fn watched(self, watch: impl Fn(Option<At>) + 'static) -> Self {

@@ -1,5 +1,6 @@
 //! From the properties of a chart to verdicts. None is given without its check: a proof goes to [`certificate`], a way to the interpreter.
 
+use grafcet_compiler::model::Claim;
 use grafcet_compiler::program::Program;
 
 use crate::aig::Lit;
@@ -65,6 +66,11 @@ impl std::error::Error for Internal {}
 
 /// So many cycles are looked at one by one before anything else: most faults show there, and soon.
 pub(crate) const FIRST_CYCLES: usize = 8;
+
+/// Circuits of so many gates are those of long searches; so many steps of the solver for a proof about their evolutions,
+/// and no more than half of those that are left.
+const LONG_SEARCH: usize = 4_000;
+const FOR_EVOLUTIONS: u64 = 1_000_000;
 
 /// So many steps of the solver IC3 takes before it is looked whether a property follows from itself.
 const BEFORE_INDUCTION: u64 = 20_000;
@@ -237,11 +243,32 @@ fn decide_on(
     limit: &Limit,
 ) -> Result<Verdict, Internal> {
     let over = |_: Over| Verdict::Undecided(OVER.to_owned());
+    if let Some(proof) = by_evolutions(program, circuit, bad, limit)? {
+        return Ok(Verdict::Proved(proof));
+    }
     // What holds where arithmetic goes on at the other end holds where it panics, too: there are fewer ends of cycles then.
     match judge(circuit, bad.possible, limit) {
         Err(fault) => fault.map_or_else(|| Ok(over(Over)), Err),
         Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(Proof::of(invariant))),
         Ok(Judged::Fails(way)) => shown(program, circuit, bad, goal, &way, limit),
+    }
+}
+
+/// Where a search for stability is so long that its circuit is large, a proof about one evolution after the other, which has been checked;
+/// none where there is none soon.
+fn by_evolutions(program: &Program<'_>, circuit: &Circuit, bad: Bad, limit: &Limit) -> Result<Option<Proof>, Internal> {
+    let claim = &program.model.properties[bad.property].claim;
+    if circuit.aig.len() < LONG_SEARCH || !matches!(claim, Claim::Never(_) | Claim::Always { .. }) {
+        return Ok(None);
+    }
+    let Some(evolutions) = Circuit::of_evolutions(program) else { return Ok(None) };
+    let Some(bad) = evolutions.bad.iter().find(|one| one.property == bad.property) else { return Ok(None) };
+    let found = invariant(&Task::new(&evolutions, bad.possible), &limit.half(FOR_EVOLUTIONS));
+    match found {
+        Ok(Ok(invariant)) => Ok(Some(Proof { beside: Some(Box::new(evolutions)), ..Proof::of(invariant) })),
+        // A way there may be none of the whole cycles.
+        Ok(Err(_)) | Err(None) => Ok(None),
+        Err(Some(internal)) => Err(internal),
     }
 }
 

@@ -151,10 +151,17 @@ impl<'p, 'm> Lowering<'p, 'm> {
             _ if !place.is_field => return Ok((self.initial[id.0].clone(), None)),
             _ => {}
         }
-        let Some((width, signed)) = self.shape(id)? else {
-            let again = self.free(Origin::Made(place.name.clone()), Vec::new(), true);
-            return Ok((Sym::Free(again), None));
-        };
+        if let Some((sym, kept)) = self.kept_place(id)? {
+            return Ok((sym, Some(kept)));
+        }
+        let again = self.free(Origin::Made(place.name.clone()), Vec::new(), true);
+        Ok((Sym::Free(again), None))
+    }
+
+    /// What a place holds, in latches of its own; none where nothing is known about its type.
+    pub(super) fn kept_place(&mut self, id: PlaceId) -> Result<Option<(Sym, Kept)>, Refused> {
+        let Some((width, signed)) = self.shape(id)? else { return Ok(None) };
+        let place = &self.program.places[id.0];
         let bits: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
         let number: Bits = if signed { bits.clone().into() } else { bits::unsigned(&bits) };
         let sym = match place.ty {
@@ -165,7 +172,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             Type::Number | Type::Kind { .. } => Sym::Int(number, None),
             Type::User(ty) => Sym::Int(number, Width::of(ty)?),
         };
-        Ok((sym, Some(Kept { place: id, bits, signed })))
+        Ok(Some((sym, Kept { place: id, bits, signed })))
     }
 
     /// How many bits a field has, and whether the last one is a sign; none where nothing is known about its type.

@@ -21,8 +21,9 @@ impl Lowering<'_, '_> {
         }
         if self.has_time() {
             let bits: Vec<Lit> = (0..self.clock.width).map(|_| self.aig.free()).collect();
+            self.inputs.push(Wire { source: Source::Elapsed, bits: bits.clone() });
+            let bits = self.as_given("elapsed", bits);
             self.elapsed = bits::unsigned(&bits);
-            self.inputs.push(Wire { source: Source::Elapsed, bits });
         }
         Ok(())
     }
@@ -47,6 +48,7 @@ impl Lowering<'_, '_> {
         };
         let bits: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
         self.inputs.push(Wire { source, bits: bits.clone() });
+        let bits = self.as_given(text, bits);
         let number: Bits = if signed { bits.clone().into() } else { bits::unsigned(&bits) };
         Ok(match ty {
             Ty::Bool(_) => Sym::Bool(bits[0]),

@@ -2,6 +2,7 @@
 //!
 //! - `assemble`: the cycle as a whole, from what the latches hold to what they hold next
 //! - `run`, `eval`, `tree`: statements, expressions of the program and of the user
+//! - `evolutions`: the same of one evolution of a search after the other
 //! - `given`: inputs, params and what places begin with
 //! - `sym`: values as wires; `free`: Rust that is not looked into; `clock`: how exactly times are counted
 //! - `plants`: what the chart moves, and what it sees of that
@@ -14,6 +15,7 @@ mod assemble;
 mod claims;
 mod clock;
 mod eval;
+mod evolutions;
 mod free;
 mod given;
 mod homes;
@@ -264,6 +266,9 @@ pub(crate) struct Lowering<'p, 'm> {
     uncomputed: Vec<String>,
     /// Of a plant's program, whose Rust nobody is asked for.
     is_plant: bool,
+    /// Where a step is one evolution: in the middle of a search, and what that was given.
+    within: Option<Lit>,
+    held: Vec<evolutions::Held>,
     as_bool: BTreeMap<FreeId, Sym>,
     as_bits: BTreeMap<(FreeId, usize, As), Bits>,
 }
@@ -357,6 +362,8 @@ impl<'p, 'm> Lowering<'p, 'm> {
             constants: Vec::new(),
             uncomputed: Vec::new(),
             is_plant: false,
+            within: None,
+            held: Vec::new(),
             as_bool: BTreeMap::new(),
             as_bits: BTreeMap::new(),
         }

@@ -152,7 +152,7 @@ impl<'m> Lowering<'_, 'm> {
         Ok(result)
     }
 
-    fn merge(&mut self, condition: Lit, then: &Env, otherwise: &Env) -> Result<Env, Refused> {
+    pub(super) fn merge(&mut self, condition: Lit, then: &Env, otherwise: &Env) -> Result<Env, Refused> {
         if Rc::ptr_eq(then, otherwise) {
             return Ok(then.clone());
         }
