@@ -47,14 +47,14 @@ const CASES: [(&[Form], &str, &str); 28] = [
         "partial grafcets",
     ),
     (
-        &BOTH,
+        &CASE,
         "grafcet C { input a: bool; partial Net { initial step A; enclosing step B { partial Inner { linked step I; step J; I -[a]-> J -[!a]-> I; } } A -[a]-> B -[!a]-> A; } }",
-        "enclosing steps have no translation",
+        "enclosing steps have no translation into the CASE form",
     ),
     (
-        &BOTH,
+        &CASE,
         "grafcet C { input a: bool; partial Up { initial step A; step B { force Down {}; } A -[a]-> B -[!a]-> A; } partial Down { initial step I; step J; I -[a]-> J -[!a]-> I; } }",
-        "forcing orders have no translation",
+        "forcing orders have no translation into the CASE form",
     ),
     (
         &CASE,

@@ -92,16 +92,24 @@ impl Flags<'_> {
             branches.push((any(given).text, done));
         }
         if let Some(enclosing) = model.partials[id].enclosed_by {
-            let mut left: Vec<Statement> = steps.iter().map(|step| self.put(*step, false)).collect();
+            let name = plain(&model.steps[enclosing].name);
+            let mut left = vec![Statement::comment(format!("{name} is not active: nothing within it is"))];
+            left.extend(steps.iter().map(|step| self.put(*step, false)));
             left.extend(self.stopped(id));
             branches.push((not(self.flag(enclosing)).text, left));
+            let mut entered = vec![Statement::comment(format!("{name} is activated: so is what is linked to it"))];
             let linked = steps.iter().filter(|step| model.steps[**step].linked);
-            let linked = linked.map(|step| self.put(*step, true)).collect();
-            let was = self.was(enclosing);
-            branches.push((not(was).text, linked));
+            entered.extend(linked.map(|step| self.put(*step, true)));
+            branches.push((not(self.was(enclosing)).text, entered));
+        }
+        let called = self.called(id);
+        let mut statements = Vec::new();
+        if !called.is_empty() {
+            statements.push(Statement::comment(called));
         }
         let free = self.free(id);
-        if branches.is_empty() { free } else { vec![Statement::If(branches, free)] }
+        statements.extend(if branches.is_empty() { free } else { vec![Statement::If(branches, free)] });
+        statements
     }
 
     fn put(&self, step: StepId, active: bool) -> Statement {

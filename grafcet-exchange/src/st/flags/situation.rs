@@ -45,15 +45,15 @@ impl Flags<'_> {
 
     /// A step that transitions alone set and reset.
     fn evolved(&self, step: StepId) -> Statement {
-        let mut set = vec![self.flag(step)];
-        set.extend(self.entering(step));
-        let mut reset = vec![any(self.leaving(step))];
-        // A step that is left and entered stays active.
-        if self.may_reenter(step) {
-            reset.push(not(any(self.entering(step))));
-        }
-        let value =
-            if self.model.leaving[step.index()].is_empty() { any(set) } else { all(vec![any(set), not(all(reset))]) };
+        let (stays, entering, leaving) = (self.flag(step), self.entering(step), self.leaving(step));
+        let value = if leaving.is_empty() {
+            any([stays].into_iter().chain(entering).collect())
+        } else if self.may_reenter(step) {
+            // A step that is left and entered stays active.
+            any([all(vec![stays, not(any(leaving))])].into_iter().chain(entering).collect())
+        } else {
+            all(vec![any([stays].into_iter().chain(entering).collect()), not(any(leaving))])
+        };
         Statement::assign(&*self.steps[step.index()], value.text)
     }
 

@@ -1,0 +1,254 @@
+//! Flip-flops of partial grafcets that act on each other: timelines worked out by hand, in each flavour. A scan is one evolution.
+
+mod common;
+
+#[path = "machine/mod.rs"]
+mod machine;
+
+use common::model;
+use grafcet_exchange::st::{Flavour, Form, Options, structured_text};
+use machine::{Dialect, Machine, Value};
+
+const FLAVOURS: [(Flavour, Dialect); 3] =
+    [(Flavour::Iec, Dialect::Iec), (Flavour::Codesys, Dialect::Codesys), (Flavour::Tia, Dialect::Tia)];
+
+fn program(chart: &str, flavour: Flavour) -> String {
+    let options = Options { form: Form::FlipFlops, flavour, ..Options::default() };
+    structured_text(&model(chart), &options).expect("a translation").text
+}
+
+/// Each line has the inputs that are on, and what the scan shows of these names.
+fn timeline(chart: &str, inputs: &str, names: &str, lines: &[(&str, &str)]) {
+    for (flavour, dialect) in FLAVOURS {
+        let text = program(chart, flavour);
+        let mut machine = Machine::of(&text, dialect).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        for (number, (on, expected)) in lines.iter().enumerate() {
+            machine.now += 100;
+            for input in inputs.split(' ').chain(["Init"]) {
+                machine.set(input, Value::Bool(on.split(' ').any(|one| one == input))).expect("an input");
+            }
+            machine.scan().expect("a scan");
+            let shown = names.split(' ').map(|name| machine.get(name).expect("a variable").number().to_string());
+            assert_eq!(shown.collect::<Vec<_>>().join(" "), *expected, "line {}, {on}\n{text}", number + 1);
+        }
+    }
+}
+
+/// What an enclosing step activates and empties does what it does on activation, deactivation and events; what would clear in the evolution in
+/// which it is left does not (A19).
+#[test]
+fn an_enclosing_step() {
+    let chart = "grafcet Line { input start, stop, full, part: bool; output run, hold: bool; output ins, outs, moves, parts: u8;
+        partial Main { initial step Idle;
+            enclosing step Auto { run;
+                partial Work {
+                    linked step Fill { P1 ins = (ins + 1) % 100; P0 outs = (outs + 1) % 100; on rising(part) parts = (parts + 1) % 100; }
+                    step Wait { hold; }
+                    Fill -[full => moves = (moves + 1) % 100]-> Wait -[!full]-> Fill; } }
+            Idle -[start]-> Auto -[stop]-> Idle; } }";
+    let names = "SR_Idle SR_Auto SR_Fill SR_Wait run hold ins outs moves parts";
+    let lines = [
+        ("", "1 0 0 0 0 0 0 0 0 0"),
+        // Nothing moves in an enclosure that is not active, and no event is seen.
+        ("full part", "1 0 0 0 0 0 0 0 0 0"),
+        ("start", "0 1 1 0 1 0 1 0 0 0"),
+        ("part", "0 1 1 0 1 0 1 0 0 1"),
+        ("full part", "0 1 0 1 1 1 1 1 1 1"),
+        ("", "0 1 1 0 1 0 2 1 1 1"),
+        // The outer one wins: `Wait` is not entered and nothing is counted but what leaves and the event of a step that was active.
+        ("stop full part", "1 0 0 0 0 0 2 2 1 2"),
+        ("part", "1 0 0 0 0 0 2 2 1 2"),
+        ("start", "0 1 1 0 1 0 3 2 1 2"),
+        ("full", "0 1 0 1 1 1 3 3 2 2"),
+        // It begins with what is linked, wherever it was left.
+        ("stop full", "1 0 0 0 0 0 3 3 2 2"),
+        ("start full", "0 1 1 0 1 0 4 3 2 2"),
+        ("Init start", "1 0 0 0 0 0 0 0 0 0"),
+        ("start", "0 1 1 0 1 0 1 0 0 0"),
+    ];
+    timeline(chart, "start stop full part", names, &lines);
+}
+
+/// At the beginning what is initial within an initial enclosing step is active, later what is linked (A18); a source transition within one waits for it
+/// (A17); an enclosing step within another is reached in the same evolution.
+#[test]
+fn an_initial_enclosing_step() {
+    let chart = "grafcet Cell { input a, b, c: bool; output deep: bool; output homes: u8;
+        partial Main {
+            initial enclosing step On {
+                partial Outer {
+                    initial step Home { P1 homes = (homes + 1) % 100; }
+                    linked enclosing step Go { partial Inner { linked step Deep { deep; } step Deeper; Deep -[b]-> Deeper; () -[rising(c)]-> Deep; } }
+                    Home -[b]-> Go; } }
+            step Off;
+            On -[a]-> Off -[!a]-> On; } }";
+    let names = "SR_On SR_Off SR_Home SR_Go SR_Deep SR_Deeper deep homes";
+    let lines = [
+        ("", "1 0 1 0 0 0 0 1"),
+        ("c", "1 0 1 0 0 0 0 1"),
+        ("b", "1 0 0 1 1 0 1 1"),
+        ("b", "1 0 0 1 0 1 0 1"),
+        ("b c", "1 0 0 1 1 1 1 1"),
+        ("a", "0 1 0 0 0 0 0 1"),
+        ("a c", "0 1 0 0 0 0 0 1"),
+        ("", "1 0 0 1 1 0 1 1"),
+        ("Init", "1 0 1 0 0 0 0 1"),
+    ];
+    timeline(chart, "a b c", names, &lines);
+}
+
+/// Each kind of order, in the evolution in which it is given; a partial grafcet clears nothing in it, nor in that in which it ends (A11, A13).
+#[test]
+fn forcing_orders() {
+    let chart =
+        "grafcet Plant { input stop, hold, jump, go, part: bool; output belt: bool; output ins, outs, moves: u8;
+        partial Safety {
+            initial step Ready;
+            step Empty { force Work {}; }
+            step Again { force Work {INIT}; }
+            step Hold { force Work {*}; }
+            step Put { force Work {Run, Side}; }
+            Ready -[stop]-> Empty -[!stop]-> Again -[go]-> Ready;
+            Ready -[hold && !stop]-> Hold -[!hold]-> Ready;
+            Ready -[jump && !stop && !hold]-> Put -[!jump]-> Ready; }
+        partial Work {
+            initial step Idle;
+            step Run { belt; P1 ins = (ins + 1) % 100; P0 outs = (outs + 1) % 100; }
+            step Side;
+            Idle -[go => moves = (moves + 1) % 100]-> Run -[part && !go]-> Idle; } }";
+    let names = "SR_Ready SR_Empty SR_Again SR_Hold SR_Put SR_Idle SR_Run SR_Side belt ins outs moves";
+    let lines = [
+        ("", "1 0 0 0 0 1 0 0 0 0 0 0"),
+        ("go", "1 0 0 0 0 0 1 0 1 1 0 1"),
+        // Held from the evolution on in which the order appears, up to that in which it ends.
+        ("hold part", "0 0 0 1 0 0 1 0 1 1 0 1"),
+        ("hold part", "0 0 0 1 0 0 1 0 1 1 0 1"),
+        ("part", "1 0 0 0 0 0 1 0 1 1 0 1"),
+        ("part", "1 0 0 0 0 1 0 0 0 1 1 1"),
+        // Forcing activates, and `go` clears nothing, so nothing is done on clearing.
+        ("jump go", "0 0 0 0 1 0 1 1 1 2 1 1"),
+        ("part", "1 0 0 0 0 0 1 1 1 2 1 1"),
+        ("part", "1 0 0 0 0 1 0 1 0 2 2 1"),
+        ("go", "1 0 0 0 0 0 1 1 1 3 2 2"),
+        // It deactivates, too.
+        ("stop", "0 1 0 0 0 0 0 0 0 3 3 2"),
+        ("stop go", "0 1 0 0 0 0 0 0 0 3 3 2"),
+        ("", "0 0 1 0 0 1 0 0 0 3 3 2"),
+        ("go", "1 0 0 0 0 1 0 0 0 3 3 2"),
+        ("go", "1 0 0 0 0 0 1 0 1 4 3 3"),
+        ("stop Init", "1 0 0 0 0 1 0 0 0 0 0 0"),
+    ];
+    timeline(chart, "stop hold jump go part", names, &lines);
+}
+
+/// What is forced takes its enclosures along (A15): emptied with their step, and where an order activates that, beginning with what is linked; an
+/// order of an initial step forces from the beginning.
+#[test]
+fn forcing_with_enclosures() {
+    let chart = "grafcet Rig { input x, y, z: bool; output i, j: bool;
+        partial Up { initial step A { force Down {F}; } step B { force Down {}; } step C { force Down {INIT}; } step K { force Down {*}; } step E;
+            A -[x]-> B -[!x]-> C -[y]-> K -[!y]-> E -[x && y]-> A; }
+        partial Down {
+            initial enclosing step Work { partial In { initial step I { i; } linked step J { j; } I -[z]-> J -[z]-> I; } }
+            step F;
+            Work -[y]-> F -[!z && !y]-> Work; } }";
+    let names = "SR_A SR_B SR_C SR_K SR_E SR_Work SR_F SR_I SR_J i j";
+    let lines = [
+        ("", "1 0 0 0 0 0 1 0 0 0 0"),
+        ("z", "1 0 0 0 0 0 1 0 0 0 0"),
+        ("x", "0 1 0 0 0 0 0 0 0 0 0"),
+        ("", "0 0 1 0 0 1 0 0 1 0 1"),
+        // What is forced to be active already stays so, and its enclosures go on.
+        ("z", "0 0 1 0 0 1 0 1 0 1 0"),
+        ("y", "0 0 0 1 0 1 0 1 0 1 0"),
+        // `{*}` holds `Work`, and leaves what it encloses to itself.
+        ("y z", "0 0 0 1 0 1 0 0 1 0 1"),
+        ("", "0 0 0 0 1 1 0 0 1 0 1"),
+        ("y", "0 0 0 0 1 0 1 0 0 0 0"),
+        ("", "0 0 0 0 1 1 0 0 1 0 1"),
+        ("x y z", "1 0 0 0 0 0 1 0 0 0 0"),
+    ];
+    timeline(chart, "x y z", names, &lines);
+}
+
+/// An `any` of a `grafcet` leaves what is active in its net, also beside parallel branches, and nothing else of it clears.
+#[test]
+fn any_beside_parallel_branches() {
+    let chart = "grafcet Par { input go, next, stop: bool; output p, q: bool; output moves: u8;
+        initial step A; step B { p; } step C { q; } step K; step E;
+        any except A -[stop]-> E;
+        A -[go]-> (B, C); B -[next => moves = (moves + 1) % 100]-> K; (C, K) -[go]-> A; E -[!stop]-> A; }";
+    let names = "SR_A SR_B SR_C SR_K SR_E p q moves";
+    let lines = [
+        ("", "1 0 0 0 0 0 0 0"),
+        ("stop", "1 0 0 0 0 0 0 0"),
+        ("go", "0 1 1 0 0 1 1 0"),
+        ("next", "0 0 1 1 0 0 1 1"),
+        ("go", "1 0 0 0 0 0 0 1"),
+        ("go", "0 1 1 0 0 1 1 1"),
+        ("next stop", "0 0 0 0 1 0 0 1"),
+        ("stop", "0 0 0 0 1 0 0 1"),
+        ("", "1 0 0 0 0 0 0 1"),
+    ];
+    timeline(chart, "go next stop", names, &lines);
+}
+
+/// It reads as it is drawn.
+#[test]
+fn what_is_written() {
+    let chart = "grafcet Press { input stop, start, ready: bool; output lamp, press: bool;
+        partial Safety { initial step Ready; step Stopped { force Work {}; lamp; } step Restart { force Work {INIT}; }
+            Ready -[stop]-> Stopped -[!stop]-> Restart -[true]-> Ready; }
+        partial Work { initial step Idle; enclosing step Auto { partial Cycle { linked step Down { press; } step Up; Down -[ready]-> Up -[!ready]-> Down; } }
+            Idle -[start]-> Auto -[!start]-> Idle; } }";
+    let text = program(chart, Flavour::Iec);
+    let expected = "\
+Frozen_Work := SR_Stopped OR SR_Restart;
+Tr_1 := Started AND SR_Ready AND stop;
+Tr_2 := Started AND SR_Stopped AND NOT stop;
+Tr_3 := Started AND SR_Restart;
+Tr_4 := Started AND SR_Down AND ready;
+Tr_5 := Started AND SR_Up AND NOT ready;
+Tr_6 := Started AND NOT Frozen_Work AND SR_Idle AND start;
+Tr_7 := Started AND NOT Frozen_Work AND SR_Auto AND NOT start;
+
+// Steps before the scan
+Was_Auto := SR_Auto;
+
+// Steps: set by what leads to them, reset by what leaves them
+// Safety
+SR_Ready := SR_Ready AND NOT Tr_1 OR Tr_3;
+SR_Stopped := SR_Stopped AND NOT Tr_2 OR Tr_1;
+SR_Restart := SR_Restart AND NOT Tr_3 OR Tr_2;
+// Work
+IF SR_Stopped THEN
+  // Work {}
+  SR_Idle := FALSE;
+  SR_Auto := FALSE;
+ELSIF SR_Restart THEN
+  // Work {INIT}
+  SR_Idle := TRUE;
+  SR_Auto := FALSE;
+ELSE
+  SR_Idle := SR_Idle AND NOT Tr_6 OR Tr_7;
+  SR_Auto := SR_Auto AND NOT Tr_7 OR Tr_6;
+END_IF;
+// Cycle
+IF NOT SR_Auto THEN
+  // Auto is not active: nothing within it is
+  SR_Down := FALSE;
+  SR_Up := FALSE;
+ELSIF NOT Was_Auto THEN
+  // Auto is activated: so is what is linked to it
+  SR_Down := TRUE;
+ELSE
+  SR_Down := SR_Down AND NOT Tr_4 OR Tr_5;
+  SR_Up := SR_Up AND NOT Tr_5 OR Tr_4;
+END_IF;
+
+// Actions
+lamp := SR_Stopped;
+press := SR_Down;
+";
+    assert!(text.contains(expected), "{text}");
+}
