@@ -73,26 +73,28 @@ fn an_enclosing_step() {
 /// (A17); an enclosing step within another is reached in the same evolution.
 #[test]
 fn an_initial_enclosing_step() {
-    let chart = "grafcet Cell { input a, b, c: bool; output deep: bool; output homes: u8;
+    let chart = "grafcet Cell { input a, b, c: bool; output deep: bool; output homes, feeds: u8;
         partial Main {
             initial enclosing step On {
                 partial Outer {
                     initial step Home { P1 homes = (homes + 1) % 100; }
-                    linked enclosing step Go { partial Inner { linked step Deep { deep; } step Deeper; Deep -[b]-> Deeper; () -[rising(c)]-> Deep; } }
+                    linked enclosing step Go { partial Inner { linked step Deep { deep; } step Deeper; Deep -[b]-> Deeper; () -[rising(c) => feeds = (feeds + 1) % 100]-> Deep; } }
                     Home -[b]-> Go; } }
             step Off;
             On -[a]-> Off -[!a]-> On; } }";
-    let names = "SR_On SR_Off SR_Home SR_Go SR_Deep SR_Deeper deep homes";
+    let names = "SR_On SR_Off SR_Home SR_Go SR_Deep SR_Deeper deep homes feeds";
     let lines = [
-        ("", "1 0 1 0 0 0 0 1"),
-        ("c", "1 0 1 0 0 0 0 1"),
-        ("b", "1 0 0 1 1 0 1 1"),
-        ("b", "1 0 0 1 0 1 0 1"),
-        ("b c", "1 0 0 1 1 1 1 1"),
-        ("a", "0 1 0 0 0 0 0 1"),
-        ("a c", "0 1 0 0 0 0 0 1"),
-        ("", "1 0 0 1 1 0 1 1"),
-        ("Init", "1 0 1 0 0 0 0 1"),
+        ("", "1 0 1 0 0 0 0 1 0"),
+        ("c", "1 0 1 0 0 0 0 1 0"),
+        ("", "1 0 1 0 0 0 0 1 0"),
+        // `Go` is not active yet: what `c` would let clear does not.
+        ("b c", "1 0 0 1 1 0 1 1 0"),
+        ("b", "1 0 0 1 0 1 0 1 0"),
+        ("b c", "1 0 0 1 1 1 1 1 1"),
+        ("a", "0 1 0 0 0 0 0 1 1"),
+        ("a c", "0 1 0 0 0 0 0 1 1"),
+        ("", "1 0 0 1 1 0 1 1 1"),
+        ("Init", "1 0 1 0 0 0 0 1 0"),
     ];
     timeline(chart, "a b c", names, &lines);
 }

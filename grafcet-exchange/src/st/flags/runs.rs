@@ -234,16 +234,15 @@ impl Flags<'_> {
 
     /// An action on an event runs if its step was active before the evolution.
     fn event(&mut self, association: &Association) -> Result<Statement, Refused> {
-        let mut parts = if self.is_moved(association.step) {
-            // The activation of the beginning comes before all events.
-            let began = self.initial.contains(&association.step).then(|| Text::word(&*self.started));
-            [self.was(association.step)].into_iter().chain(began).collect()
+        // In the first scan no edge is seen, and an event asks for one.
+        let mut parts = vec![if self.is_moved(association.step) {
+            self.was(association.step)
         } else {
             // It is active before if it is now and has not been activated, or has been deactivated.
             let flag = self.flag(association.step);
             let was = all(vec![flag, not(self.activated(association.step))]);
-            vec![any(vec![was, self.deactivated(association.step)])]
-        };
+            any(vec![was, self.deactivated(association.step)])
+        }];
         for condition in association.event.iter().chain(&association.condition) {
             parts.push(self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
         }
