@@ -10,7 +10,7 @@ const CASE: [Form; 1] = [Form::Case];
 const FLIP_FLOPS: [Form; 1] = [Form::FlipFlops];
 
 /// The forms that refuse a chart, and why.
-const CASES: [(&[Form], &str, &str); 28] = [
+const CASES: [(&[Form], &str, &str); 29] = [
     (
         &BOTH,
         "sfc C { input go: bool; var last: Mode in {Off, Auto} = Mode::Off; initial step A; step B { P1 last = Other::Auto; } A -[go]-> B -[!go && last == Mode::Off]-> A; }",
@@ -78,8 +78,13 @@ const CASES: [(&[Form], &str, &str); 28] = [
     ),
     (
         &BOTH,
-        "sfc C { input n: u8; initial step A; step B; A -[n & 1 == 1]-> B -[n == 0]-> A; }",
-        "on the bits of integers",
+        "sfc C { input n: i8; initial step A; step B; A -[n >> 1 == 1]-> B -[n == 0]-> A; }",
+        "`>>` of an integer with a sign",
+    ),
+    (
+        &BOTH,
+        "sfc C { input n: u8; initial step A; step B; A -[n == 1 && f(n) & 3 == g(n)]-> B -[n == 0]-> A; }",
+        "an operator on the bits of what is no integer of a known type",
     ),
     (
         &BOTH,

@@ -68,6 +68,9 @@ fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
             "What blinks stands still where its step is active for more than 24 days: so far a TON counts.".to_owned(),
         );
     }
+    if scope.adds_times {
+        lines.push("Sums of times end at the longest time, which in the chart is a time of so many ticks and here of so many milliseconds.".to_owned());
+    }
     own_names(scope, lines);
     if let Some(late) = supervised(model) {
         lines.push(format!("Left out: `within` of {late}, which no transition asks for."));

@@ -1,0 +1,96 @@
+//! What is computed of bits and of times: worked out by hand, in each flavour.
+
+mod common;
+
+#[path = "machine/mod.rs"]
+mod machine;
+
+use common::model;
+use grafcet_exchange::st::{Flavour, Form, Options, structured_text};
+use machine::{Dialect, Machine, Value};
+
+const FLAVOURS: [(Flavour, Dialect); 3] =
+    [(Flavour::Iec, Dialect::Iec), (Flavour::Codesys, Dialect::Codesys), (Flavour::Tia, Dialect::Tia)];
+
+fn program(chart: &str, flavour: Flavour) -> String {
+    let options = Options { form: Form::FlipFlops, flavour, ..Options::default() };
+    structured_text(&model(chart), &options).expect("a translation").text
+}
+
+/// What these outputs show after a scan, for each flavour.
+fn shown(chart: &str, inputs: &[(&str, Value)], names: &[&str]) -> Vec<i128> {
+    let mut all = FLAVOURS.map(|(flavour, dialect)| {
+        let text = program(chart, flavour);
+        let mut machine = Machine::of(&text, dialect).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        for (name, value) in inputs {
+            machine.set(name, *value).expect("an input");
+        }
+        machine.scan().unwrap_or_else(|error| panic!("{error}\n{text}"));
+        names.iter().map(|name| machine.get(name).expect("a variable").number()).collect::<Vec<_>>()
+    });
+    assert!(all[0] == all[1] && all[0] == all[2], "{all:?}");
+    std::mem::take(&mut all[0])
+}
+
+const BITS: &str = "sfc Bits { input n, m: u16; input k: i8; output a, b, c, up, down: u16; output d, e: i8; output odd, rest, low: bool;
+    var mask: u16 = 1 << 4 | 3;
+    initial step Run { a = n & mask; b = (n | m) + 1; c = !n ^ 0xf; d = k & -2; e = k << 1; up = n << 3; down = n >> m;
+        odd if n & 1 == 1; rest if n & m != 0; low if n & 7 < 3; P1 mask = mask | 0x100; }
+    step Other; Run -[n & m == 0xffff]-> Other -[n == 0]-> Run; }";
+
+/// Numbers become strings of bits for as long as an operator needs them; what is shifted out is lost, and a sign is a bit.
+#[test]
+fn bits_of_integers() {
+    let names = ["a", "b", "c", "d", "e", "up", "down", "odd", "rest", "low", "mask"];
+    let of = |n, m, k| shown(BITS, &[("n", Value::Int(n)), ("m", Value::Int(m)), ("k", Value::Int(k))], &names);
+    // `mask` is 0x13 at the beginning; actions in their order, so `a` sees what P1 has made of it: 0x113.
+    assert_eq!(of(0xf1f1, 2, -3), [0x111, 0xf1f4, 0x0e01, -4, -6, 0x8f88, 0x3c7c, 1, 0, 1, 0x113]);
+    assert_eq!(of(6, 2, 127), [2, 7, 0xfff6, 126, -2, 48, 1, 0, 1, 0, 0x113]);
+    assert_eq!(of(0, 15, -128), [0, 16, 0xfff0, -128, 0, 0, 0, 0, 0, 1, 0x113]);
+}
+
+#[test]
+fn bits_as_they_are_written() {
+    let text = program(BITS, Flavour::Iec);
+    for line in [
+        "mask : UINT := 19;",
+        "a := WORD_TO_UINT(UINT_TO_WORD(n) AND UINT_TO_WORD(mask));",
+        "b := WORD_TO_UINT(UINT_TO_WORD(n) OR UINT_TO_WORD(m)) + 1;",
+        "c := WORD_TO_UINT(NOT UINT_TO_WORD(n) XOR 16#F);",
+        "d := BYTE_TO_SINT(SINT_TO_BYTE(k) AND 16#FE);",
+        "up := WORD_TO_UINT(SHL(UINT_TO_WORD(n), 3));",
+        "odd := SR_Run AND (UINT_TO_WORD(n) AND 16#1) = 16#1;",
+        "low := SR_Run AND WORD_TO_UINT(UINT_TO_WORD(n) AND 16#7) < 3;",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    let tia = program(BITS, Flavour::Tia);
+    assert!(tia.contains("#down := WORD_TO_UINT(SHR(IN := UINT_TO_WORD(#n), N := #m));"), "{tia}");
+    let codesys = program(BITS, Flavour::Codesys);
+    assert!(codesys.contains("b := TO_UINT(WORD_TO_UINT(UINT_TO_WORD(n) OR UINT_TO_WORD(m)) + 1);"), "{codesys}");
+}
+
+/// Differences end at zero, sums at the longest time; what is known is computed here.
+#[test]
+fn times_that_are_computed() {
+    let chart = "sfc Wait { input p, q: time; output less, more, sum, known, ahead: bool; output rest: time;
+        initial step Run { rest = p - q; less if p - q < 2s; more if q + 1s > p; sum if p + q >= 596h; known if p < 1h + 30m - 1s; ahead if Run.T + p > q - Run.T; }
+        step Other; Run -[p + q < 1s]-> Other -[p > q]-> Run; }";
+    let names = ["rest", "less", "more", "sum", "known", "ahead"];
+    let of = |p, q| shown(chart, &[("p", Value::Time(p)), ("q", Value::Time(q))], &names);
+    assert_eq!(of(5_000, 3_000), [2_000, 0, 0, 0, 1, 1]);
+    assert_eq!(of(3_000, 5_000), [0, 1, 1, 0, 1, 0]);
+    assert_eq!(of(5_399_000, 5_397_001), [1_999, 1, 0, 0, 0, 1]);
+    // 300 hours and 300 hours end at 596 hours and a half.
+    assert_eq!(of(1_080_000_000, 1_080_000_000), [0, 1, 1, 1, 0, 0]);
+    let text = program(chart, Flavour::Iec);
+    for part in [
+        "rest := MAX(p, q) - q;",
+        "MIN(q, T#24d20h31m22s647ms) + T#1s > p",
+        "p < T#1h29m59s",
+        "MIN(T_Run.ET, T#24d20h31m23s647ms - p) + p > MAX(q, T_Run.ET) - T_Run.ET",
+        "// Sums of times end at the longest time",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+}
