@@ -6,7 +6,7 @@ mod common;
 mod machine;
 
 use common::model;
-use grafcet_exchange::st::{Flavour, Form, Options, structured_text};
+use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
 use machine::{Dialect, Machine, Value};
 
 const FLAVOURS: [(Flavour, Dialect); 3] =
@@ -92,5 +92,52 @@ fn times_that_are_computed() {
         "// Sums of times end at the longest time",
     ] {
         assert!(text.contains(part), "{part}\n{text}");
+    }
+}
+
+/// In the scan in which a step is left its time is still that which it had reached (A34), and yet it is no longer active.
+#[test]
+fn the_time_of_a_step_that_is_left() {
+    let chart = "sfc Left { input go: bool; output since, elapsed: bool; initial step A;
+        step B { since if A.T >= 2s; elapsed if 2s/A; } A -[go && 2s/A]-> B -[!go]-> A; }";
+    let options = Options { form: Form::FlipFlops, ..Options::default() };
+    let text = structured_text(&model(chart), &options).expect("a translation").text;
+    let mut machine = Machine::new(&text).expect("understood");
+    let mut scan = |now, go| {
+        machine.now = now;
+        machine.set("go", Value::Bool(go)).expect("an input");
+        machine.scan().expect("a scan");
+        ["since", "elapsed"].map(|name| machine.get(name).expect("a variable").number())
+    };
+    assert_eq!(
+        [(0, false), (1_999, true), (2_000, true), (2_100, true), (2_200, false)].map(|(now, go)| scan(now, go)),
+        [[0, 0], [0, 0], [1, 0], [0, 0], [0, 0]],
+        "{text}"
+    );
+    // A CASE has begun that time anew.
+    for order in [Order::ActFirst, Order::EvolveFirst] {
+        let options = Options { order: Some(order), ..Options::default() };
+        let refused = structured_text(&model(chart), &options).expect_err("a time that is gone");
+        assert!(refused[0].message.starts_with("the time that another step had reached"), "{refused:?}");
+    }
+}
+
+/// A transition to its own step does nothing in a CASE, but those behind it wait for it.
+#[test]
+fn a_loop_comes_first() {
+    let chart = "sfc Loop { #![allow(grafcet::overlapping_branches)] input a, b: bool; output q: bool; initial step A; step B { q; }
+        A -[a]-> A; A -[b]-> B -[!b]-> A; B -[a]-> B; }";
+    for order in [Order::ActFirst, Order::EvolveFirst] {
+        let options = Options { order: Some(order), ..Options::default() };
+        let text = structured_text(&model(chart), &options).expect("a translation").text;
+        let mut machine = Machine::new(&text).expect("understood");
+        let mut scan = |a, b| {
+            machine.set("a", Value::Bool(a)).expect("an input");
+            machine.set("b", Value::Bool(b)).expect("an input");
+            machine.scan().expect("a scan");
+            machine.get("StepNo").expect("a step").number()
+        };
+        let shown = [(false, false), (true, true), (true, true), (false, true), (true, true), (true, false)];
+        assert_eq!(shown.map(|(a, b)| scan(a, b)), [10, 10, 10, 20, 20, 10], "{text}");
     }
 }

@@ -81,6 +81,17 @@ pub(crate) struct At<'a> {
     pub(crate) mark: Mark,
 }
 
+/// What the timers of steps show.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Moment {
+    /// They have been called on the situation that counts.
+    Called,
+    /// Steps but this one may have been left since then: these timers show the times that they had reached.
+    Moved(StepId),
+    /// They have been called after the evolution, of an action of this step: those of what has been left have begun anew.
+    Begun(StepId),
+}
+
 /// Names, and what expressions need beside them.
 pub(crate) struct Scope<'m> {
     pub(crate) model: &'m Model,
@@ -100,6 +111,7 @@ pub(crate) struct Scope<'m> {
     pub(crate) steps: Option<Steps>,
     /// Something blinks.
     pub(crate) blinks: bool,
+    pub(crate) moment: Moment,
     /// Times are added.
     pub(crate) adds_times: bool,
 }
@@ -131,6 +143,7 @@ impl<'m> Scope<'m> {
             instances: BTreeMap::new(),
             steps: None,
             blinks: false,
+            moment: Moment::Called,
             adds_times: false,
         };
         let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
@@ -212,6 +225,10 @@ impl<'m> Scope<'m> {
             }
             Read::Since(step) => {
                 may_read_times(at)?;
+                if matches!(self.moment, Moment::Begun(own) if own != step) {
+                    let what = "the time that another step had reached when it was left";
+                    return Err(refuse(at, what, "compare it as in `5s/Step`, or use the form of flip-flops"));
+                }
                 if self.steps.as_ref().is_some_and(|steps| !steps.active.contains(&step)) {
                     let what = "the time of a step that may not be active";
                     return Err(refuse(at, what, "compare it as in `5s/Step`, or ask for it where the step is active"));
@@ -253,7 +270,8 @@ impl<'m> Scope<'m> {
         let limit = self.time(time, at.mark)?;
         let reached = Text::order(format!("{} >= {limit}", self.since(step)));
         // The timer of a step that is not active is at zero: only a time that may be zero asks for more.
-        let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step));
+        let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step))
+            && !matches!(self.moment, Moment::Moved(own) if own != step);
         if at_zero && matches!(time, TimeRef::Ticks(1..)) {
             return Ok(reached);
         }

@@ -75,7 +75,7 @@ impl Flags<'_> {
             let mut parts = vec![self.input(association)?];
             parts.extend(self.limit(association)?);
             let stable = self.model.is_grafcet();
-            let value = self.after(association.mark, |scope, at| {
+            let value = self.after(association, |scope, at| {
                 let before = if stable { &nothing } else { at.before };
                 assigned(scope, place, value, &At { before, ..*at })
             })?;

@@ -20,7 +20,7 @@ use grafcet_compiler::model::{Association, Blinker, Id, Model, PartialId, Place,
 use grafcet_compiler::sorted::Set;
 
 use super::action::{Role, Written, places, reads, role, shared_calls, written};
-use super::expr::{At, Kind, Scope, plain};
+use super::expr::{At, Kind, Moment, Scope, plain};
 use super::frame::{self, Frame};
 use super::names::Names;
 use super::syntax::{Program, Statement, Variable};
@@ -257,12 +257,15 @@ impl<'m> Flags<'m> {
     /// What an action sees after the evolution.
     fn after<T>(
         &mut self,
-        mark: Mark,
+        association: &Association,
         see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
     ) -> Result<T, Refused> {
         let (steps, before) = (self.steps.clone(), self.before.clone());
         let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
-        see(&mut self.scope, &At { active: &active, before: &before, times: true, mark })
+        self.scope.moment = Moment::Moved(association.step);
+        let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark: association.mark });
+        self.scope.moment = Moment::Called;
+        seen
     }
 
     /// What an action sees that runs at an instant: no steps and no times, which are others before and after.
@@ -290,7 +293,7 @@ impl<'m> Flags<'m> {
         }
         let stable = self.model.is_grafcet();
         let nothing = BTreeMap::new();
-        let condition = self.after(association.mark, |scope, at| {
+        let condition = self.after(association, |scope, at| {
             let before = if stable { &nothing } else { at.before };
             scope.expr(condition, &Kind::Bool, &At { before, ..*at })
         })?;

@@ -141,7 +141,7 @@ impl Flags<'_> {
                 let before = if stable { &nothing } else { at.before };
                 run(scope, &association.effect, phase, &At { times: false, before, ..*at })
             };
-            self.after(association.mark, sees)
+            self.after(association, sees)
         };
         let [first, repeated, last] = [phase(Phase::First)?, phase(Phase::Repeated)?, phase(Phase::Final)?];
         let over = all(vec![Text::word(&*ran), not(Text::word(&*flag.text))]);
