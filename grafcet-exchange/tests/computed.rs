@@ -141,3 +141,62 @@ fn a_loop_comes_first() {
         assert_eq!(shown.map(|(a, b)| scan(a, b)), [10, 10, 10, 20, 20, 10], "{text}");
     }
 }
+
+/// What runs under qualifiers with a time, a pulse or a memory: once in each scan in which its action control drives it, and once more after that.
+#[test]
+fn what_runs_for_a_time() {
+    let chart = "sfc Runs { input go: bool; output nl, nd, ns, nsl, nsd, nds, np: u8; initial step A;
+        step B { L 2s nl = (nl + 1) % 100; D 1s nd = (nd + 1) % 100; S { ns = (ns + 1) % 100; } SL 2s nsl = (nsl + 1) % 100;
+            SD 1s nsd = (nsd + 1) % 100; DS 1s nds = (nds + 1) % 100; P np = (np + 1) % 100; }
+        A -[go]-> B -[!go]-> A; }";
+    let names = ["nl", "nd", "ns", "nsl", "nsd", "nds", "np"];
+    let expected = [
+        (0, false, [0, 0, 0, 0, 0, 0, 0]),
+        (1_000, true, [1, 0, 1, 1, 0, 0, 1]),
+        // The pulse is over: its final scan.
+        (1_500, true, [2, 0, 2, 2, 0, 0, 2]),
+        (2_000, true, [3, 1, 3, 3, 1, 1, 2]),
+        // The times of L and SL are over: a final scan of each.
+        (3_000, true, [4, 2, 4, 4, 2, 2, 2]),
+        // Left: the final scan of D.
+        (3_500, false, [4, 3, 5, 4, 3, 3, 2]),
+        (4_000, false, [4, 3, 6, 4, 4, 4, 2]),
+        (5_000, true, [5, 3, 7, 4, 5, 5, 3]),
+        (5_500, false, [6, 3, 8, 4, 6, 6, 4]),
+    ];
+    for (flavour, dialect) in FLAVOURS {
+        let text = program(chart, flavour);
+        let mut machine = Machine::of(&text, dialect).expect("understood");
+        for (now, go, shown) in expected {
+            machine.now = now;
+            machine.set("go", Value::Bool(go)).expect("an input");
+            machine.scan().expect("a scan");
+            let found = names.map(|name| machine.get(name).expect("a variable").number());
+            assert_eq!(found, shown, "at {now}\n{text}");
+        }
+    }
+}
+
+/// The final scan of what ends with its step comes before what the next step does on activation (A29).
+#[test]
+fn a_final_scan_by_leaving() {
+    let chart = "sfc Last { input go: bool; output seen: u8; action beep(n: u8); var x: u8 = 0; initial step A { P1 seen = x; P1 x = 0; }
+        step B { L 5s { x = x % 99 + 1; } D 1s beep(x); } A -[go]-> B -[!go]-> A; }";
+    let mut machine = Machine::new(&program(chart, Flavour::Iec)).expect("understood");
+    let mut scan = |now, go| {
+        machine.now = now;
+        machine.set("go", Value::Bool(go)).expect("an input");
+        machine.scan().expect("a scan");
+        let calls: Vec<i128> =
+            machine.calls.iter().flat_map(|call| call.arguments.iter().map(|one| one.number())).collect();
+        (machine.get("seen").expect("a variable").number(), machine.get("x").expect("a variable").number(), calls)
+    };
+    assert_eq!(scan(0, false), (0, 0, vec![]));
+    assert_eq!(scan(100, true), (0, 1, vec![]));
+    // First, repeated and, before `x` is zero again, for the last time.
+    assert_eq!(scan(1_100, true), (0, 2, vec![0, 2]));
+    assert_eq!(scan(1_200, true), (0, 3, vec![1, 3]));
+    assert_eq!(scan(1_300, false), (4, 0, vec![2, 4]));
+    assert_eq!(scan(1_400, true), (4, 1, vec![]));
+    assert_eq!(scan(1_500, false), (2, 0, vec![]));
+}

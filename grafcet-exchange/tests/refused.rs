@@ -10,7 +10,7 @@ const CASE: [Form; 1] = [Form::Case];
 const FLIP_FLOPS: [Form; 1] = [Form::FlipFlops];
 
 /// The forms that refuse a chart, and why.
-const CASES: [(&[Form], &str, &str); 29] = [
+const CASES: [(&[Form], &str, &str); 31] = [
     (
         &BOTH,
         "sfc C { input go: bool; var last: Mode in {Off, Auto} = Mode::Off; initial step A; step B { P1 last = Other::Auto; } A -[go]-> B -[!go && last == Mode::Off]-> A; }",
@@ -75,6 +75,16 @@ const CASES: [(&[Form], &str, &str); 29] = [
         &BOTH,
         "sfc C { clock 1us; input a: bool; initial step A; step B; A -[a]-> B -[1500us/B]-> A; }",
         "`TIME` counts milliseconds",
+    ),
+    (
+        &CASE,
+        "sfc C { input a: bool; var n: u8 = 0; initial step A; step B { L 2s n = (n + 1) % 9; } A -[a && n < 9]-> B -[!a]-> A; }",
+        "`L` of what runs has a time or a pulse of its own",
+    ),
+    (
+        &BOTH,
+        "sfc C { input a: bool; action run(); initial step A { R run(); } step B { S run(); } A -[a]-> B -[!a]-> A; }",
+        "`R` of what runs has no translation",
     ),
     (
         &BOTH,

@@ -21,7 +21,7 @@ pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, single:
         let others = || model.associations.values().filter(|other| !std::ptr::eq(*other, association));
         if let Some(action) = calls(association) {
             let again = others().any(|other| calls(other) == Some(action));
-            if again && (!single || association.qualifier == Qualifier::N) {
+            if again && (!single || !matches!(association.qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On)) {
                 let name = &model.actions[action].name;
                 refused.push(Refused::at(association.mark, format!("`{name}` is called by several steps, and the chart makes one call of them: structured text of this form has one step for an action")));
             }
@@ -119,7 +119,7 @@ impl Flags<'_> {
         Text::word(name)
     }
 
-    /// N of what runs: in each scan while its step is active, and once more after that.
+    /// What runs: in each scan in which it is driven, and once more after that.
     fn body(
         &mut self,
         association: &Association,
@@ -127,10 +127,7 @@ impl Flags<'_> {
         left: &mut Vec<Statement>,
         rest: &mut Vec<Statement>,
     ) -> Result<(), Refused> {
-        let flag = self.flag(association.step);
-        let input = self.input(association)?;
-        let runs = self.hoisted(input, association, conditions);
-        let (runs, conditional) = (runs.text, association.condition.is_some());
+        let (runs, left_or_not) = self.driven(association, conditions)?;
         let ran = self.scope.names.own("Ran_1");
         self.frame.remember(Variable::new(&*ran, "BOOL").init("FALSE").note("it ran in the scan before"));
         let stable = self.model.is_grafcet();
@@ -144,16 +141,51 @@ impl Flags<'_> {
             self.after(association, sees)
         };
         let [first, repeated, last] = [phase(Phase::First)?, phase(Phase::Repeated)?, phase(Phase::Final)?];
-        let over = all(vec![Text::word(&*ran), not(Text::word(&*flag.text))]);
-        left.push(Statement::when(over.text, last.clone()));
+        // It ends with its step, or else among the rest.
+        let mut ends = Some(vec![Text::word(&*ran)]);
+        if let Some([is_left, stays]) = left_or_not {
+            let mut over = vec![Text::word(&*ran), is_left];
+            if association.qualifier == Qualifier::D {
+                over.push(not(Text::word(&*runs)));
+            }
+            left.push(Statement::when(all(over).text, last.clone()));
+            // Of N and D the condition alone ends it while the step is active.
+            let alone = association.condition.is_some() || association.qualifier == Qualifier::L;
+            ends = alone.then(|| vec![Text::word(&*ran), stays]);
+        }
         let now = if first == repeated { first } else { vec![Statement::If(vec![(ran.clone(), repeated)], first)] };
         let mut branches = vec![(runs.clone(), now)];
-        if conditional {
-            branches.push((all(vec![Text::word(&*ran), flag]).text, last));
-        }
+        branches.extend(ends.filter(|_| may_end(association.qualifier)).map(|ends| (all(ends).text, last)));
         rest.push(Statement::If(branches, Vec::new()));
         rest.push(Statement::assign(ran, runs));
         Ok(())
+    }
+
+    /// What drives what runs; of what ends with its step, that this is left and that it is not.
+    fn driven(
+        &mut self,
+        association: &Association,
+        conditions: &mut Vec<Statement>,
+    ) -> Result<(String, Option<[Text; 2]>), Refused> {
+        let (flag, qualifier) = (self.flag(association.step), association.qualifier);
+        let with_step = Some([not(flag.clone()), flag]);
+        if qualifier == Qualifier::N {
+            let input = self.input(association)?;
+            return Ok((self.hoisted(input, association, conditions).text, with_step));
+        }
+        // Its action control is one of its own, asked before the first action runs.
+        let name = self.stored("Q_1");
+        conditions.extend(self.controlled(name.clone(), &[association])?);
+        let left_or_not = match qualifier {
+            // A delay begins anew with a step that is entered anew.
+            Qualifier::D if self.may_reenter(association.step) => {
+                let is_left = self.deactivated(association.step);
+                Some([is_left.clone(), not(is_left)])
+            }
+            Qualifier::L | Qualifier::D => with_step,
+            _ => None,
+        };
+        Ok((name, left_or_not))
     }
 
     /// A place that steps alone set and reset, one at a time: what happens on activation lasts as long as the step does.
@@ -249,4 +281,9 @@ impl Flags<'_> {
         let done = self.instant(association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
+}
+
+/// What is stored and not limited goes on for ever: nothing resets what runs.
+fn may_end(qualifier: Qualifier) -> bool {
+    !matches!(qualifier, Qualifier::S | Qualifier::Sd | Qualifier::Ds)
 }
