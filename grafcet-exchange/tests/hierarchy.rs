@@ -207,3 +207,50 @@ fn what_the_page_shows() {
     let text = program(chart, Flavour::Iec);
     assert!(text.contains(shown), "{text}");
 }
+
+/// A variable that continuous actions assert follows the situation: transitions ask for it on that before the scan, actions on that behind it.
+#[test]
+fn variables_that_follow_the_situation() {
+    let chart = "grafcet Doors { input a, b, c: bool; output lit, both: bool; output seen: u8; var open, free: bool;
+        partial Left { initial step Shut; step Open { open; P1 seen = (seen + 1) % 100 if free; } Shut -[a]-> Open -[!a && !free]-> Shut; }
+        partial Right { initial step Idle; step Run { open if b; free if !open; } step Stop { lit if open; both if free; } Idle -[c && open]-> Run -[!c]-> Stop -[free || a]-> Idle; } }";
+    let names = "SR_Open SR_Run SR_Stop open free lit both seen";
+    let lines = [
+        ("", "0 0 0 0 0 0 0 0"),
+        // `open` is true behind this scan; `c` asks for it in the next one.
+        ("a c", "1 0 0 1 0 0 0 0"),
+        ("a c", "1 1 0 1 0 0 0 0"),
+        ("c", "0 1 0 0 1 0 0 0"),
+        // `free` was true before.
+        ("a c", "1 1 0 1 0 0 0 1"),
+        ("", "0 0 1 0 0 0 0 1"),
+        ("", "0 0 1 0 0 0 0 1"),
+        ("a b", "1 0 0 1 0 0 0 1"),
+        ("a b c", "1 1 0 1 0 0 0 1"),
+        ("a b", "1 0 1 1 0 1 0 1"),
+    ];
+    timeline(chart, "a b c", names, &lines);
+}
+
+/// In a `grafcet` calls at an instant are calls of their own, in the order of the source, those on clearing behind them, and what is called as long as a
+/// step is active comes last.
+#[test]
+fn calls_at_instants() {
+    let chart = "grafcet Bell { input a, b: bool; action ring(n: u8); initial step Off { P0 ring(1); }
+        step On { P1 ring(2); N ring(3); P0 ring(4); on rising(b) ring(5); } Off -[a => ring(6)]-> On -[!a]-> Off; }";
+    for (flavour, dialect) in FLAVOURS {
+        let text = program(chart, flavour);
+        let mut machine = Machine::of(&text, dialect).expect("understood");
+        let mut scan = |a, b| -> Vec<(i128, i128)> {
+            machine.set("a", Value::Bool(a)).expect("an input");
+            machine.set("b", Value::Bool(b)).expect("an input");
+            machine.scan().expect("a scan");
+            machine.calls.iter().map(|call| (call.arguments[0].number(), call.arguments[1].number())).collect()
+        };
+        assert_eq!(scan(false, false), []);
+        assert_eq!(scan(true, true), [(0, 1), (0, 2), (0, 6), (0, 3)]);
+        assert_eq!(scan(true, false), [(1, 3)]);
+        assert_eq!(scan(true, true), [(0, 5), (1, 3)]);
+        assert_eq!(scan(false, true), [(0, 4), (2, 3)]);
+    }
+}

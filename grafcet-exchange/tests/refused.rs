@@ -10,7 +10,7 @@ const CASE: [Form; 1] = [Form::Case];
 const FLIP_FLOPS: [Form; 1] = [Form::FlipFlops];
 
 /// The forms that refuse a chart, and why.
-const CASES: [(&[Form], &str, &str); 31] = [
+const CASES: [(&[Form], &str, &str); 33] = [
     (
         &BOTH,
         "sfc C { input go: bool; var last: Mode in {Off, Auto} = Mode::Off; initial step A; step B { P1 last = Other::Auto; } A -[go]-> B -[!go && last == Mode::Off]-> A; }",
@@ -75,6 +75,16 @@ const CASES: [(&[Form], &str, &str); 31] = [
         &BOTH,
         "sfc C { clock 1us; input a: bool; initial step A; step B; A -[a]-> B -[1500us/B]-> A; }",
         "`TIME` counts milliseconds",
+    ),
+    (
+        &CASE,
+        "grafcet C { input a: bool; output q: bool; var v: bool; initial step A { v; } step B { q if v; } A -[a && v]-> B -[!a]-> A; }",
+        "`v` follows the situation",
+    ),
+    (
+        &BOTH,
+        "grafcet C { input a, b: bool; action run(); initial step A { N run() if b; } step B { N run(); } A -[a]-> B -[!a]-> A; }",
+        "`run`",
     ),
     (
         &CASE,

@@ -14,6 +14,7 @@ pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
         hierarchy(model, &mut refused);
         partials(model, &mut refused);
         loose(model, &mut refused);
+        following(model, &mut refused);
     }
     types(model, true, &mut refused);
     if refused.is_empty() && form == Form::Case {
@@ -80,13 +81,14 @@ pub(crate) fn types(model: &Model, listed: bool, refused: &mut Vec<Refused>) {
             refused.push(Refused::at(ident.into(), message));
         }
     }
-    if !model.is_grafcet() {
-        return;
-    }
+}
+
+/// Variables of a `grafcet` that continuous actions assert.
+fn following(model: &Model, refused: &mut Vec<Refused>) {
     for var in combinational::in_order(model) {
         let name = model.place_name(Place::Var(var));
         let message = format!(
-            "`{name}` follows the situation within an evolution, which structured text of these forms cannot: make it an output, or set and reset it"
+            "`{name}` follows the situation within an evolution, which the CASE form of structured text cannot: use the form of flip-flops, make it an output, or set and reset it"
         );
         refused.push(Refused::at(name.into(), message));
     }

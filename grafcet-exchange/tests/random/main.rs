@@ -26,6 +26,7 @@ mod shifted;
 
 use std::collections::BTreeMap;
 
+use grafcet_compiler::analysis::combinational;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::{check, parse};
@@ -87,7 +88,7 @@ pub(crate) fn resolved(text: &str) -> Option<Model> {
 fn compare(grafcet: bool, form: Form, order: Option<Order>) {
     let wanted = std::env::var("ST_CHARTS").ok().and_then(|charts| charts.parse().ok()).unwrap_or(CHARTS);
     let first: u64 = std::env::var("ST_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
-    let (mut done, mut cycles, mut structure, mut differing) = (0, 0, [0; 5], Vec::new());
+    let (mut done, mut cycles, mut structure, mut differing) = (0, 0, [0; 6], Vec::new());
     let mut refusals = BTreeMap::<String, usize>::new();
     let mut seed = first;
     while done < wanted {
@@ -125,7 +126,7 @@ fn compare(grafcet: bool, form: Form, order: Option<Order>) {
         }
     }
     println!(
-        "{form:?}, {order:?}, {}: {done} charts of {}, {cycles} cycles, {structure:?} with source or sink transitions, several partial grafcets, enclosing steps, forcing orders, `any` beside parallel branches, {} differ; refused: {refusals:#?}",
+        "{form:?}, {order:?}, {}: {done} charts of {}, {cycles} cycles, {structure:?} with source or sink transitions, several partial grafcets, enclosing steps, forcing orders, `any` beside parallel branches, variables that follow the situation, {} differ; refused: {refusals:#?}",
         if grafcet { "grafcet" } else { "sfc" },
         seed - first,
         differing.len()
@@ -133,13 +134,13 @@ fn compare(grafcet: bool, form: Form, order: Option<Order>) {
     if grafcet && form == Form::FlipFlops {
         assert!(done < CHARTS || structure.iter().all(|count| *count > 3), "{structure:?}: too few of one kind");
     } else {
-        assert!(structure == [0; 5], "{structure:?}: the form has no such charts");
+        assert!(structure == [0; 6], "{structure:?}: the form has no such charts");
     }
     assert!(differing.is_empty(), "{} of {done} differ; the first: {}", differing.len(), differing[0]);
 }
 
 /// What the form of flip-flops alone can say of a `grafcet`.
-fn structure_of(model: &Model) -> [bool; 5] {
+fn structure_of(model: &Model) -> [bool; 6] {
     let is_loose = |one: &model::Transition| one.sources.is_empty() || one.targets.is_empty();
     let forks = |one: &model::Transition| one.targets.len() > 1;
     [
@@ -148,5 +149,6 @@ fn structure_of(model: &Model) -> [bool; 5] {
         model.steps.values().any(|step| !step.encloses.is_empty()),
         !model.forces.is_empty(),
         !model.anys.is_empty() && model.transitions.values().any(forks),
+        !combinational::in_order(model).is_empty(),
     ]
 }

@@ -33,7 +33,7 @@ use crate::Refused;
 pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
     let written = written(model)?;
     let mut refused = Vec::new();
-    shared_calls(model, &mut refused);
+    shared_calls(model, &|association| runs::is_one_call(model, association), &mut refused);
     control::refused(model, &written, &mut refused);
     runs::refused(model, &written, is_single(model), &mut refused);
     if !refused.is_empty() {
@@ -123,6 +123,7 @@ impl<'m> Flags<'m> {
             self.frame.remember(Variable::new(&*self.steps[id.index()], "BOOL").init(init));
         }
         self.frame.remember(Variable::new(&*self.started, "BOOL").init("FALSE").note("there has been a scan before"));
+        let following = self.following()?;
         let mut transitions = self.frozen();
         transitions.extend(self.transitions()?);
         let actions = self.actions(written)?;
@@ -151,6 +152,7 @@ impl<'m> Flags<'m> {
         ]);
         part(body, "Edges and delays of inputs", before);
         part(body, "The times of steps, to be read", timers.clone());
+        part(body, "What follows the situation", following);
         part(body, "What actions read as it was before the scan", copies);
         part(body, "Transitions: predecessor and condition", transitions);
         part(body, "What is activated and deactivated", changes);

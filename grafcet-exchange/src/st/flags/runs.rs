@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use grafcet_compiler::analysis::combinational::in_order;
 use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
 
 use super::Flags;
@@ -11,10 +12,15 @@ use crate::st::expr::{At, Kind};
 use crate::st::syntax::{Statement, Variable};
 use crate::st::text::{Text, all, any, not};
 
+/// Whether its calls are one with those of other associations: in a `grafcet` what runs at an instant is a call of its own.
+pub(super) fn is_one_call(model: &Model, association: &Association) -> bool {
+    !model.is_grafcet() || association.qualifier == Qualifier::N
+}
+
 /// What has no translation.
 pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, single: bool, refused: &mut Vec<Refused>) {
     let calls = |association: &Association| match &association.effect {
-        Effect::Call(action, _) => Some(*action),
+        Effect::Call(action, _) if is_one_call(model, association) => Some(*action),
         _ => None,
     };
     for association in model.associations.values() {
@@ -197,29 +203,8 @@ impl Flags<'_> {
 
     fn of_grafcet(&mut self, written: &BTreeMap<Place, Written>) -> Result<Vec<Statement>, Refused> {
         let model = self.model;
-        let (mut stored, mut rest, mut calls) = (Vec::new(), Vec::new(), Vec::new());
-        let mut continuous = BTreeSet::new();
-        for (id, transition) in model.transitions.iter() {
-            if transition.any.is_some_and(|any| model.anys[any].first != id) {
-                continue;
-            }
-            let mut done = Vec::new();
-            for effect in &transition.clearing {
-                done.extend(self.instant(transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
-            }
-            if !done.is_empty() {
-                // An `any` clears as a whole.
-                let same = |other: &(_, &grafcet_compiler::model::Transition)| {
-                    other.1.any.is_some() && other.1.any == transition.any
-                };
-                let mut all: Vec<Text> =
-                    model.transitions.iter().filter(same).map(|(id, _)| self.transition(id)).collect();
-                if all.is_empty() {
-                    all.push(self.transition(id));
-                }
-                stored.push(Statement::when(any(all).text, done));
-            }
-        }
+        let (mut stored, mut rest, mut calls) = (Vec::new(), self.following()?, Vec::new());
+        let mut continuous: BTreeSet<Place> = in_order(model).into_iter().map(Place::Var).collect();
         for association in model.associations.values() {
             let role = role(model, association)?;
             match role {
@@ -261,7 +246,46 @@ impl Flags<'_> {
                 }
             }
         }
+        stored.extend(self.clearing()?);
         Ok(stored.into_iter().chain(rest).chain(calls).collect())
+    }
+
+    /// What transitions do when they clear, behind what steps do in the same evolution.
+    fn clearing(&mut self) -> Result<Vec<Statement>, Refused> {
+        let model = self.model;
+        let mut stored = Vec::new();
+        for (id, transition) in model.transitions.iter() {
+            if transition.any.is_some_and(|any| model.anys[any].first != id) {
+                continue;
+            }
+            let mut done = Vec::new();
+            for effect in &transition.clearing {
+                done.extend(self.instant(transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
+            }
+            if !done.is_empty() {
+                // An `any` clears as a whole.
+                let same = |other: &(_, &grafcet_compiler::model::Transition)| {
+                    other.1.any.is_some() && other.1.any == transition.any
+                };
+                let mut all: Vec<Text> =
+                    model.transitions.iter().filter(same).map(|(id, _)| self.transition(id)).collect();
+                if all.is_empty() {
+                    all.push(self.transition(id));
+                }
+                stored.push(Statement::when(any(all).text, done));
+            }
+        }
+        Ok(stored)
+    }
+
+    /// What follows the situation, each after what it reads: asked by transitions on the situation before the evolution, and by continuous actions on
+    /// that behind it.
+    pub(super) fn following(&mut self) -> Result<Vec<Statement>, Refused> {
+        let mut statements = Vec::new();
+        for var in in_order(self.model) {
+            statements.extend(self.control(Place::Var(var))?);
+        }
+        Ok(statements)
     }
 
     /// An action on an event runs if its step was active before the evolution.
