@@ -114,7 +114,7 @@ fn mask(bits: u32) -> i128 {
 fn folded(tree: &Tree, name: &str) -> Option<i128> {
     let (_, bits, signed) = string(name);
     let number = match tree {
-        Tree::Int(number) => i128::try_from(*number).ok()?,
+        Tree::Int(number) => *number,
         Tree::Unary(Unary::Neg, inner) => -folded(inner, name)?,
         Tree::Unary(Unary::Not, inner) => !folded(inner, name)?,
         Tree::Binary(operator, a, b) => {

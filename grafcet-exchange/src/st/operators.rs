@@ -19,10 +19,8 @@ impl Scope<'_> {
         let (left, right) = (self.kind(a), self.kind(b));
         let logical = is(&left, &Kind::Bool) || is(&right, &Kind::Bool);
         let (word, strength, of_bool) = match operator {
-            Binary::And => ("AND", strength::AND, true),
-            Binary::Or => ("OR", strength::OR, true),
-            Binary::BitAnd => ("AND", strength::AND, true),
-            Binary::BitOr => ("OR", strength::OR, true),
+            Binary::And | Binary::BitAnd => ("AND", strength::AND, true),
+            Binary::Or | Binary::BitOr => ("OR", strength::OR, true),
             Binary::BitXor => ("XOR", strength::XOR, true),
             Binary::Eq => ("=", strength::EQUAL, false),
             Binary::Ne => ("<>", strength::EQUAL, false),
