@@ -254,3 +254,30 @@ fn calls_at_instants() {
         assert_eq!(scan(false, true), [(0, 4), (2, 3)]);
     }
 }
+
+/// Several steps call one action as long as they are active: that is one call, with the arguments of the last in the source, at the end those of the one
+/// that was active last (A31).
+#[test]
+fn one_call_of_several_steps() {
+    let chart = "grafcet Heat { input a, b: bool; action heat(n: u8); action light(); initial step Off; step Low { N heat(4); light(); } step High { N heat(7) if b; light(); }
+        step Both { light(); } Off -[a]-> (Low, High); Low -[!a]-> Both; (High, Both) -[!a && !b]-> Off; }";
+    for (flavour, dialect) in FLAVOURS {
+        let text = program(chart, flavour);
+        let mut machine = Machine::of(&text, dialect).expect("understood");
+        let mut scan = |a, b| -> Vec<Vec<i128>> {
+            machine.set("a", Value::Bool(a)).expect("an input");
+            machine.set("b", Value::Bool(b)).expect("an input");
+            machine.scan().expect("a scan");
+            machine.calls.iter().map(|call| call.arguments.iter().map(|one| one.number()).collect()).collect()
+        };
+        assert_eq!(scan(false, true), Vec::<Vec<i128>>::new());
+        assert_eq!(scan(true, false), [vec![0, 4], vec![0]]);
+        assert_eq!(scan(true, true), [vec![1, 7], vec![1]]);
+        assert_eq!(scan(true, false), [vec![1, 4], vec![1]]);
+        assert_eq!(scan(false, true), [vec![1, 7], vec![1]]);
+        // Both end, with what was said last.
+        assert_eq!(scan(false, false), [vec![2, 7], vec![2]]);
+        assert_eq!(scan(false, false), Vec::<Vec<i128>>::new());
+        assert_eq!(scan(true, false), [vec![0, 4], vec![0]]);
+    }
+}

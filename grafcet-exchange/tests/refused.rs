@@ -82,7 +82,7 @@ const CASES: [(&[Form], &str, &str); 33] = [
         "`v` follows the situation",
     ),
     (
-        &BOTH,
+        &CASE,
         "grafcet C { input a, b: bool; action run(); initial step A { N run() if b; } step B { N run(); } A -[a]-> B -[!a]-> A; }",
         "`run`",
     ),

@@ -262,10 +262,10 @@ pub(crate) fn places(tree: &Tree) -> Vec<Place> {
     places
 }
 
-/// Actions that associations of several kinds, or several steps at once, act on: the calls of both would be one. `wanted`: of which associations.
-pub(crate) fn shared_calls(model: &Model, wanted: &dyn Fn(&Association) -> bool, refused: &mut Vec<Refused>) {
+/// Actions that associations of several kinds, or several steps at once, act on: the calls of both would be one.
+pub(crate) fn shared_calls(model: &Model, refused: &mut Vec<Refused>) {
     let mut kinds = BTreeMap::<ActionId, (Qualifier, AssociationId)>::new();
-    for (id, association) in model.associations.iter().filter(|(_, association)| wanted(association)) {
+    for (id, association) in model.associations.iter() {
         let Effect::Call(action, _) = association.effect else { continue };
         let (qualifier, first) = *kinds.entry(action).or_insert((association.qualifier, id));
         let same_step = first != id && model.associations[first].step == association.step;

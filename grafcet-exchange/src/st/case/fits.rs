@@ -11,7 +11,7 @@ use crate::st::action::{Role, Written, role, shared_calls};
 /// All of it.
 pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>) -> Vec<Refused> {
     let mut refused = Vec::new();
-    shared_calls(model, &|_| true, &mut refused);
+    shared_calls(model, &mut refused);
     for transition in model.transitions.values() {
         if transition.sources.len() != 1 || transition.targets.len() != 1 {
             let message =

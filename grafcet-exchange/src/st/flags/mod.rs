@@ -33,7 +33,10 @@ use crate::Refused;
 pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
     let written = written(model)?;
     let mut refused = Vec::new();
-    shared_calls(model, &|association| runs::is_one_call(model, association), &mut refused);
+    // In a `grafcet` what runs at an instant is a call of its own.
+    if !model.is_grafcet() {
+        shared_calls(model, &mut refused);
+    }
     control::refused(model, &written, &mut refused);
     runs::refused(model, &written, is_single(model), &mut refused);
     if !refused.is_empty() {

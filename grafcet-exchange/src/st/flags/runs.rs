@@ -8,19 +8,14 @@ use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
 use super::Flags;
 use crate::Refused;
 use crate::st::action::{Phase, Role, Written, places, reads, role, run};
-use crate::st::expr::{At, Kind};
+use crate::st::expr::{At, Kind, plain};
 use crate::st::syntax::{Statement, Variable};
 use crate::st::text::{Text, all, any, not};
-
-/// Whether its calls are one with those of other associations: in a `grafcet` what runs at an instant is a call of its own.
-pub(super) fn is_one_call(model: &Model, association: &Association) -> bool {
-    !model.is_grafcet() || association.qualifier == Qualifier::N
-}
 
 /// What has no translation.
 pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, single: bool, refused: &mut Vec<Refused>) {
     let calls = |association: &Association| match &association.effect {
-        Effect::Call(action, _) if is_one_call(model, association) => Some(*action),
+        Effect::Call(action, _) if !model.is_grafcet() => Some(*action),
         _ => None,
     };
     for association in model.associations.values() {
@@ -213,6 +208,13 @@ impl Flags<'_> {
                         rest.extend(self.control(place)?);
                     }
                 }
+                Role::Body if calls_together(model, association).len() > 1 => {
+                    let together = calls_together(model, association);
+                    // Where the action first stands.
+                    if std::ptr::eq(together[0], association) {
+                        calls.extend(self.together(&together)?);
+                    }
+                }
                 Role::Body => {
                     let mut none = Vec::new();
                     let (mut left, mut now) = (Vec::new(), Vec::new());
@@ -248,6 +250,50 @@ impl Flags<'_> {
         }
         stored.extend(self.clearing()?);
         Ok(stored.into_iter().chain(rest).chain(calls).collect())
+    }
+
+    /// One continuous call of an action by several associations: the last in the source of those that are active gives the arguments, and at the end
+    /// the one that was active last.
+    fn together(&mut self, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
+        let mut inputs = Vec::new();
+        for association in all_of {
+            inputs.push(self.input(association)?);
+        }
+        let Effect::Call(action, _) = all_of[0].effect else { return Ok(Vec::new()) };
+        let name = plain(&self.model.actions[action].name);
+        let [phase, by] = ["phase", "by"].map(|what| self.scope.names.own(&format!("{name}_{what}")));
+        self.frame.variables.push(Variable::new(&*phase, "INT").note("0 first, 1 repeated, 2 final"));
+        let (runs, ran) = (self.local("Q_1"), self.stored("Ran_1"));
+        let mut calls = Vec::new();
+        for association in all_of {
+            let Effect::Call(_, arguments) = &association.effect else { continue };
+            let told =
+                (format!("phase := {phase}"), Variable::new("phase", "INT").note("0 first, 1 repeated, 2 final"));
+            calls.push(self.after(association, |scope, at| {
+                scope.call(action, arguments, told, &At { times: false, before: &BTreeMap::new(), ..*at })
+            })?);
+        }
+        let [on, before] = [&runs, &ran].map(|name| Text::word(&**name));
+        let mut done = vec![Statement::assign(&*runs, any(inputs.clone()).text)];
+        let begins = all(vec![on.clone(), not(before.clone())]).text;
+        let told = |number: &str| vec![Statement::assign(&*phase, number)];
+        done.push(Statement::If(vec![(begins, told("0")), (runs.clone(), told("1"))], told("2")));
+        let call = if calls.iter().all(|call| *call == calls[0]) {
+            calls.swap_remove(0)
+        } else {
+            self.frame.remember(Variable::new(&*by, "INT").init("0").note("whose call it is"));
+            let by_number = |number: usize| vec![Statement::assign(&*by, number.to_string())];
+            let numbers = inputs.into_iter().enumerate().rev();
+            done.push(Statement::If(
+                numbers.map(|(number, input)| (input.text, by_number(number))).collect(),
+                Vec::new(),
+            ));
+            let branches = calls.into_iter().enumerate();
+            Statement::If(branches.map(|(number, call)| (format!("{by} = {number}"), vec![call])).collect(), Vec::new())
+        };
+        done.push(Statement::when(any(vec![on, before]).text, vec![call]));
+        done.push(Statement::assign(ran, runs));
+        Ok(done)
     }
 
     /// What transitions do when they clear, behind what steps do in the same evolution.
@@ -310,4 +356,13 @@ impl Flags<'_> {
 /// What is stored and not limited goes on for ever: nothing resets what runs.
 fn may_end(qualifier: Qualifier) -> bool {
     !matches!(qualifier, Qualifier::S | Qualifier::Sd | Qualifier::Ds)
+}
+
+/// The continuous calls of one action, in source order.
+fn calls_together<'m>(model: &'m Model, association: &Association) -> Vec<&'m Association> {
+    let Effect::Call(action, _) = association.effect else { return Vec::new() };
+    let same = |other: &&Association| {
+        other.qualifier == Qualifier::N && matches!(other.effect, Effect::Call(other, _) if other == action)
+    };
+    model.associations.values().filter(same).collect()
 }
