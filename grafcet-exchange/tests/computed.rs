@@ -177,6 +177,30 @@ fn what_runs_for_a_time() {
     }
 }
 
+/// A delay begins anew with a step that is entered anew: what it drives has its final scan then.
+#[test]
+fn a_delay_of_a_step_that_is_entered_anew() {
+    let chart = "sfc Again { input go: bool; output n: u8; initial step A; step B { D 1s n = (n + 1) % 100; } A -[go]-> B; B -[go]-> B; B -[5s/B]-> A; }";
+    let mut machine = Machine::new(&program(chart, Flavour::Iec)).expect("understood");
+    let mut scan = |now, go| {
+        machine.now = now;
+        machine.set("go", Value::Bool(go)).expect("an input");
+        machine.scan().expect("a scan");
+        machine.get("n").expect("a variable").number()
+    };
+    let times = [
+        (0, false),
+        (100, true),
+        (1_100, false),
+        (1_200, false),
+        (1_300, true),
+        (1_400, false),
+        (2_300, false),
+        (2_400, true),
+    ];
+    assert_eq!(times.map(|(now, go)| scan(now, go)), [0, 0, 1, 2, 3, 3, 4, 5]);
+}
+
 /// The final scan of what ends with its step comes before what the next step does on activation (A29).
 #[test]
 fn a_final_scan_by_leaving() {

@@ -230,6 +230,14 @@ fn variables_that_follow_the_situation() {
         ("a b", "1 0 1 1 0 1 0 1"),
     ];
     timeline(chart, "a b c", names, &lines);
+    // It follows inputs, too, in the scan in which a transition asks for it.
+    let chart = "grafcet Gate { input b: bool; output q: bool; var v: bool; initial step A { v if b; } step B { q; } A -[v]-> B -[!b]-> A; }";
+    timeline(
+        chart,
+        "b",
+        "SR_A SR_B v",
+        &[("", "1 0 0"), ("b", "0 1 0"), ("b", "0 1 0"), ("", "1 0 0"), ("b", "0 1 0")],
+    );
 }
 
 /// In a `grafcet` calls at an instant are calls of their own, in the order of the source, those on clearing behind them, and what is called as long as a

@@ -132,7 +132,9 @@ fn compare(grafcet: bool, form: Form, order: Option<Order>) {
         differing.len()
     );
     if grafcet && form == Form::FlipFlops {
-        assert!(done < CHARTS || structure.iter().all(|count| *count > 3), "{structure:?}: too few of one kind");
+        // Most charts with a variable that follows the situation have something else that has no translation.
+        let enough = structure[..5].iter().all(|count| *count > 3);
+        assert!(done < CHARTS || enough, "{structure:?}: too few of one kind");
     } else {
         assert!(structure == [0; 6], "{structure:?}: the form has no such charts");
     }
