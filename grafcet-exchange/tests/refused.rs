@@ -10,7 +10,7 @@ const CASE: [Form; 1] = [Form::Case];
 const FLIP_FLOPS: [Form; 1] = [Form::FlipFlops];
 
 /// The forms that refuse a chart, and why.
-const CASES: [(&[Form], &str, &str); 28] = [
+const CASES: [(&[Form], &str, &str); 33] = [
     (
         &BOTH,
         "sfc C { input go: bool; var last: Mode in {Off, Auto} = Mode::Off; initial step A; step B { P1 last = Other::Auto; } A -[go]-> B -[!go && last == Mode::Off]-> A; }",
@@ -47,14 +47,14 @@ const CASES: [(&[Form], &str, &str); 28] = [
         "partial grafcets",
     ),
     (
-        &BOTH,
+        &CASE,
         "grafcet C { input a: bool; partial Net { initial step A; enclosing step B { partial Inner { linked step I; step J; I -[a]-> J -[!a]-> I; } } A -[a]-> B -[!a]-> A; } }",
-        "enclosing steps have no translation",
+        "enclosing steps have no translation into the CASE form",
     ),
     (
-        &BOTH,
+        &CASE,
         "grafcet C { input a: bool; partial Up { initial step A; step B { force Down {}; } A -[a]-> B -[!a]-> A; } partial Down { initial step I; step J; I -[a]-> J -[!a]-> I; } }",
-        "forcing orders have no translation",
+        "forcing orders have no translation into the CASE form",
     ),
     (
         &CASE,
@@ -77,9 +77,34 @@ const CASES: [(&[Form], &str, &str); 28] = [
         "`TIME` counts milliseconds",
     ),
     (
+        &CASE,
+        "grafcet C { input a: bool; output q: bool; var v: bool; initial step A { v; } step B { q if v; } A -[a && v]-> B -[!a]-> A; }",
+        "`v` follows the situation",
+    ),
+    (
+        &CASE,
+        "grafcet C { input a, b: bool; action run(); initial step A { N run() if b; } step B { N run(); } A -[a]-> B -[!a]-> A; }",
+        "`run`",
+    ),
+    (
+        &CASE,
+        "sfc C { input a: bool; var n: u8 = 0; initial step A; step B { L 2s n = (n + 1) % 9; } A -[a && n < 9]-> B -[!a]-> A; }",
+        "`L` of what runs has a time or a pulse of its own",
+    ),
+    (
         &BOTH,
-        "sfc C { input n: u8; initial step A; step B; A -[n & 1 == 1]-> B -[n == 0]-> A; }",
-        "on the bits of integers",
+        "sfc C { input a: bool; action run(); initial step A { R run(); } step B { S run(); } A -[a]-> B -[!a]-> A; }",
+        "`R` of what runs has no translation",
+    ),
+    (
+        &BOTH,
+        "sfc C { input n: i8; initial step A; step B; A -[n >> 1 == 1]-> B -[n == 0]-> A; }",
+        "`>>` of an integer with a sign",
+    ),
+    (
+        &BOTH,
+        "sfc C { input n: u8; initial step A; step B; A -[n == 1 && f(n) & 3 == g(n)]-> B -[n == 0]-> A; }",
+        "an operator on the bits of what is no integer of a known type",
     ),
     (
         &BOTH,

@@ -12,7 +12,6 @@ pub(super) fn refused(model: &Model) -> Vec<Refused> {
         return vec![Refused::at((&model.name).into(), message)];
     }
     let mut refused = Vec::new();
-    st::structure(model, &mut refused);
     st::types(model, false, &mut refused);
     if refused.is_empty() {
         st::anys(model, &mut refused);

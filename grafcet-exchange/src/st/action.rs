@@ -27,7 +27,8 @@ pub(crate) enum Role {
     Deactivation,
     /// `on`
     Event,
-    /// N of what runs in each scan: an assignment to a variable, a block, a call.
+    /// What runs in each scan in which its qualifier drives it: an assignment to a variable, a block, a call; of an `sfc` that of an output, too,
+    /// after another qualifier than N.
     Body,
 }
 
@@ -41,18 +42,17 @@ pub(crate) fn role(model: &Model, association: &Association) -> Result<Role, Ref
         (_, P1) => Role::Activation,
         (_, P0) => Role::Deactivation,
         (_, On) => Role::Event,
+        // What another association drives would end here.
+        (Effect::Assign(..) | Effect::Block(_) | Effect::Call(..), R) => return Err(runs(association)),
         // In an `sfc` what is assigned after another qualifier than N is written, and so runs.
-        (Effect::Assign(Place::Output(_), _), _) if qualifier != N && !model.is_grafcet() => {
-            return Err(runs(association));
-        }
+        (Effect::Assign(Place::Output(_), _), _) if qualifier != N && !model.is_grafcet() => Role::Body,
         (Effect::Control(place) | Effect::Assign(place @ Place::Output(_), _), _) => Role::Continuous(*place),
-        (_, N) => Role::Body,
-        _ => return Err(runs(association)),
+        _ => Role::Body,
     };
     Ok(role)
 }
 
-/// What runs is not stored or timed.
+/// What runs is not ended by another step.
 fn runs(association: &Association) -> Refused {
     let word = association.qualifier.word();
     let message = format!(

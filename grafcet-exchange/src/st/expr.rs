@@ -11,7 +11,7 @@ use grafcet_compiler::model::{
 use super::names::Names;
 use super::syntax::Stub;
 use super::text::{Text, all, any, not, strength};
-use super::{real, time, variants};
+use super::{real, time};
 use crate::Refused;
 
 /// What a value is.
@@ -81,6 +81,17 @@ pub(crate) struct At<'a> {
     pub(crate) mark: Mark,
 }
 
+/// What the timers of steps show.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Moment {
+    /// They have been called on the situation that counts.
+    Called,
+    /// Steps but this one may have been left since then: these timers show the times that they had reached.
+    Moved(StepId),
+    /// They have been called after the evolution, of an action of this step: those of what has been left have begun anew.
+    Begun(StepId),
+}
+
 /// Names, and what expressions need beside them.
 pub(crate) struct Scope<'m> {
     pub(crate) model: &'m Model,
@@ -100,6 +111,9 @@ pub(crate) struct Scope<'m> {
     pub(crate) steps: Option<Steps>,
     /// Something blinks.
     pub(crate) blinks: bool,
+    pub(crate) moment: Moment,
+    /// Times are added.
+    pub(crate) adds_times: bool,
 }
 
 /// A time as a number.
@@ -129,6 +143,8 @@ impl<'m> Scope<'m> {
             instances: BTreeMap::new(),
             steps: None,
             blinks: false,
+            moment: Moment::Called,
+            adds_times: false,
         };
         let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
         all.extend(model.params.ids().map(Name::Param));
@@ -172,11 +188,11 @@ impl<'m> Scope<'m> {
             }),
             Tree::Read(read) => self.read(*read, at),
             Tree::Elapsed(time, step) => self.elapsed(*time, *step, at),
+            _ if self.is_of_bits(tree, wanted) => self.of_bits(tree, wanted, at),
             Tree::MacroElapsed(..) => {
                 Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
             }
-            Tree::Unary(Unary::Not, inner) if *wanted == Kind::Bool => Ok(not(self.tree(inner, &Kind::Bool, at)?)),
-            Tree::Unary(Unary::Not, _) => Err(refuse(at, "`!` on integers", "write it as arithmetic")),
+            Tree::Unary(Unary::Not, inner) => Ok(not(self.tree(inner, &Kind::Bool, at)?)),
             Tree::Unary(Unary::Neg, inner) => {
                 let inner = self.tree(inner, wanted, at)?.within(strength::UNARY);
                 Ok(Text { text: format!("-{inner}"), strength: strength::SUM })
@@ -209,6 +225,10 @@ impl<'m> Scope<'m> {
             }
             Read::Since(step) => {
                 may_read_times(at)?;
+                if matches!(self.moment, Moment::Begun(own) if own != step) {
+                    let what = "the time that another step had reached when it was left";
+                    return Err(refuse(at, what, "compare it as in `5s/Step`, or use the form of flip-flops"));
+                }
                 if self.steps.as_ref().is_some_and(|steps| !steps.active.contains(&step)) {
                     let what = "the time of a step that may not be active";
                     return Err(refuse(at, what, "compare it as in `5s/Step`, or ask for it where the step is active"));
@@ -250,7 +270,8 @@ impl<'m> Scope<'m> {
         let limit = self.time(time, at.mark)?;
         let reached = Text::order(format!("{} >= {limit}", self.since(step)));
         // The timer of a step that is not active is at zero: only a time that may be zero asks for more.
-        let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step));
+        let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step))
+            && !matches!(self.moment, Moment::Moved(own) if own != step);
         if at_zero && matches!(time, TimeRef::Ticks(1..)) {
             return Ok(reached);
         }
@@ -336,6 +357,8 @@ impl<'m> Scope<'m> {
                 | Binary::Le
                 | Binary::Gt
                 | Binary::Ge => Some(Kind::Bool),
+                // The number of places tells nothing.
+                Binary::Shl | Binary::Shr => self.kind(a),
                 _ => match (self.kind(a), self.kind(b)) {
                     (Some(Kind::Number) | None, other) => other,
                     (one, _) => one,
@@ -343,64 +366,6 @@ impl<'m> Scope<'m> {
             },
             Tree::Opaque { .. } => None,
         }
-    }
-
-    fn binary(&mut self, operator: Binary, [a, b]: [&Tree; 2], wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
-        let is = |one: &Option<Kind>, kind: &Kind| one.as_ref() == Some(kind);
-        let (left, right) = (self.kind(a), self.kind(b));
-        let logical = is(&left, &Kind::Bool) || is(&right, &Kind::Bool);
-        let (word, strength, of_bool) = match operator {
-            Binary::And => ("AND", strength::AND, true),
-            Binary::Or => ("OR", strength::OR, true),
-            Binary::BitAnd if logical => ("AND", strength::AND, true),
-            Binary::BitOr if logical => ("OR", strength::OR, true),
-            Binary::BitXor if logical => ("XOR", strength::XOR, true),
-            Binary::Eq => ("=", strength::EQUAL, false),
-            Binary::Ne => ("<>", strength::EQUAL, false),
-            Binary::Lt => ("<", strength::ORDER, false),
-            Binary::Le => ("<=", strength::ORDER, false),
-            Binary::Gt => (">", strength::ORDER, false),
-            Binary::Ge => (">=", strength::ORDER, false),
-            Binary::Add => ("+", strength::SUM, false),
-            Binary::Sub => ("-", strength::SUM, false),
-            Binary::Mul => ("*", strength::PRODUCT, false),
-            Binary::Div => ("/", strength::PRODUCT, false),
-            Binary::Rem => ("MOD", strength::PRODUCT, false),
-            Binary::BitAnd | Binary::BitOr | Binary::BitXor | Binary::Shl | Binary::Shr => {
-                let what = "an operator on the bits of integers";
-                return Err(refuse(at, what, "write it as arithmetic, or as a function of the program"));
-            }
-        };
-        // Of `n != 0 && 10 / n > 2` a PLC computes both sides.
-        if matches!(operator, Binary::Div | Binary::Rem) && !matches!(b, Tree::Int(1..)) && !real::is_above_zero(b) {
-            let what = "a division by what may be zero";
-            return Err(refuse(at, what, "divide by a number, or write a function of the program"));
-        }
-        let compares = strength == strength::EQUAL || strength == strength::ORDER;
-        let lists = [a, b].map(|side| self.model.variants_of_tree(side));
-        if matches!(lists, [Some(one), Some(other)] if !variants::same_list(one, other)) {
-            return Err(refuse(at, "a comparison of two lists of variants", "let both list the same ones"));
-        }
-        let both = [&left, &right].into_iter().flatten().find(|kind| **kind != Kind::Number).cloned();
-        if operator == Binary::Rem && matches!(both, Some(Kind::Real(_))) {
-            return Err(refuse(at, "`%` on floats", "write it as a function of the program"));
-        }
-        if strength == strength::ORDER && logical {
-            return Err(refuse(at, "the order of truths", "write it with `&&` and `!`"));
-        }
-        if !compares && !of_bool && is(&both, &Kind::Time) {
-            return Err(refuse(at, "arithmetic of times", "compare with a time that is a `param`"));
-        }
-        let kind = match (of_bool, compares) {
-            (true, _) => Kind::Bool,
-            (_, true) => both.unwrap_or(Kind::Number),
-            _ => both.unwrap_or_else(|| wanted.clone()),
-        };
-        // From left to right: the right side has to hold more strongly, and so has the left one of a comparison.
-        let tight = strength + 1;
-        let left = self.tree(a, &kind, at)?.within(if compares { tight } else { strength });
-        let right = self.tree(b, &kind, at)?.within(if of_bool { strength } else { tight });
-        Ok(Text { text: format!("{left} {word} {right}"), strength })
     }
 }
 

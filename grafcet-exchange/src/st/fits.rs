@@ -10,28 +10,34 @@ use crate::Refused;
 /// All of it, in the order of the chart.
 pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
     let mut refused = Vec::new();
-    structure(model, &mut refused);
     if form == Form::Case {
+        hierarchy(model, &mut refused);
         partials(model, &mut refused);
         loose(model, &mut refused);
+        following(model, &mut refused);
     }
     types(model, true, &mut refused);
     if refused.is_empty() && form == Form::Case {
         refused.extend(several(model));
     }
-    if refused.is_empty() && form == Form::FlipFlops {
+    // In a `grafcet` each transition for which it stands clears, and none of those that it stops does, by what they ask for.
+    if refused.is_empty() && form == Form::FlipFlops && !model.is_grafcet() {
         anys(model, &mut refused);
     }
     refused
 }
 
 /// What one part of the chart does to another.
-pub(crate) fn structure(model: &Model, refused: &mut Vec<Refused>) {
+fn hierarchy(model: &Model, refused: &mut Vec<Refused>) {
     for step in model.steps.values().filter(|step| !step.encloses.is_empty()) {
-        refused.push(Refused::at((&step.name).into(), "enclosing steps have no translation into structured text"));
+        let why =
+            "enclosing steps have no translation into the CASE form of structured text: use the form of flip-flops";
+        refused.push(Refused::at((&step.name).into(), why));
     }
     for force in model.forces.values() {
-        refused.push(Refused::at(force.mark, "forcing orders have no translation into structured text"));
+        let why =
+            "forcing orders have no translation into the CASE form of structured text: use the form of flip-flops";
+        refused.push(Refused::at(force.mark, why));
     }
 }
 
@@ -75,13 +81,14 @@ pub(crate) fn types(model: &Model, listed: bool, refused: &mut Vec<Refused>) {
             refused.push(Refused::at(ident.into(), message));
         }
     }
-    if !model.is_grafcet() {
-        return;
-    }
+}
+
+/// Variables of a `grafcet` that continuous actions assert.
+fn following(model: &Model, refused: &mut Vec<Refused>) {
     for var in combinational::in_order(model) {
         let name = model.place_name(Place::Var(var));
         let message = format!(
-            "`{name}` follows the situation within an evolution, which structured text of these forms cannot: make it an output, or set and reset it"
+            "`{name}` follows the situation within an evolution, which the CASE form of structured text cannot: use the form of flip-flops, make it an output, or set and reset it"
         );
         refused.push(Refused::at(name.into(), message));
     }

@@ -31,6 +31,9 @@ pub(super) fn case(model: &Model, scope: &Scope<'_>, order: Order) -> Vec<String
 pub(super) fn flags(model: &Model, scope: &Scope<'_>) -> Vec<String> {
     let mut lines = begin(model, "a flip-flop for each step");
     lines.push("Evolve, then act: the transitions are evaluated on the situation of the scan before, then the steps are set and reset, then the actions follow.".to_owned());
+    if !model.forces.is_empty() || model.partials.values().any(|partial| partial.enclosed_by.is_some()) {
+        lines.push("Partial grafcets stand from the top of the hierarchy to its bottom: an order, and an enclosing step that is entered or left, puts what is below it into its situation in the same scan, and nothing clears there.".to_owned());
+    }
     evolved(model, &mut lines);
     end(model, scope, &mut lines);
     lines
@@ -64,6 +67,9 @@ fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
         lines.push(
             "What blinks stands still where its step is active for more than 24 days: so far a TON counts.".to_owned(),
         );
+    }
+    if scope.adds_times {
+        lines.push("Sums of times end at the longest time, which in the chart is a time of so many ticks and here of so many milliseconds.".to_owned());
     }
     own_names(scope, lines);
     if let Some(late) = supervised(model) {

@@ -1,6 +1,7 @@
 //! IEC 61131-3 structured text.
 //!
 //! - `syntax`, `names`, `time`, `text`, `expr`, `stubs`: programs, names, times and expressions of structured text, and functions to be written
+//! - `operators`, `bits`: operators between two values; those on the bits of integers
 //! - `variants`: lists of variants as numbers
 //! - `frame`: what both forms have in common: declarations, initial values, edges, delays, timers
 //! - `fits`: what neither form can say
@@ -10,6 +11,7 @@
 //! - `flavour`: the program as CODESYS and TIA Portal take it
 
 pub(crate) mod action;
+mod bits;
 mod case;
 pub(crate) mod expr;
 pub(crate) mod fits;
@@ -18,6 +20,7 @@ mod flavour;
 pub(crate) mod frame;
 pub(crate) mod header;
 pub(crate) mod names;
+mod operators;
 mod real;
 mod stubs;
 pub(crate) mod syntax;

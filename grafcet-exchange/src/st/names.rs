@@ -13,7 +13,9 @@ const TAKEN: &str = "
     public r_edge r_trig read_only read_write real ref ref_to reference region repeat replace resource retain return right rol ror round rs sel shl shr sin
     single sint sizeof sqrt sr step string struct sub super tan task then this time time_of_day time_to_dint to tod tof ton tp transition true trunc type udint uint ulint
     until usint using var var_access var_config var_external var_global var_in_out var_input var_output var_temp wchar while with word
-    wstring xor current_time st ld r s";
+    wstring xor current_time st ld r s
+    sint_to_byte usint_to_byte int_to_word uint_to_word dint_to_dword udint_to_dword lint_to_lword ulint_to_lword
+    byte_to_sint byte_to_usint word_to_int word_to_uint dword_to_dint dword_to_udint lword_to_lint lword_to_ulint";
 
 /// Gives names, each once.
 #[derive(Default)]

@@ -39,6 +39,9 @@ fn binary(operator: &str, a: Value, b: Value) -> Result<Value, String> {
     if let (Value::Real(a), Value::Real(b)) = (a, b) {
         return real(operator, a, b);
     }
+    if let (Value::Bits(a, first), Value::Bits(b, second)) = (a, b) {
+        return super::bits::binary(operator, (a, first), (b, second));
+    }
     let order = match (a, b) {
         (Bool(_), Bool(_)) | (Int(_), Int(_)) | (Time(_), Time(_)) => a.cmp(&b),
         _ => return Err(format!("{a:?} {operator} {b:?}")),
@@ -54,6 +57,8 @@ fn binary(operator: &str, a: Value, b: Value) -> Result<Value, String> {
         ("<=", ..) if ordered => Bool(order.is_le()),
         (">", ..) if ordered => Bool(order.is_gt()),
         (">=", ..) if ordered => Bool(order.is_ge()),
+        ("+", Time(a), Time(b)) => time(a.checked_add(b))?,
+        ("-", Time(a), Time(b)) => time(a.checked_sub(b))?,
         ("+", Int(a), Int(b)) => Int(a + b),
         ("-", Int(a), Int(b)) => Int(a - b),
         ("*", Int(a), Int(b)) => Int(a * b),
@@ -61,6 +66,11 @@ fn binary(operator: &str, a: Value, b: Value) -> Result<Value, String> {
         ("mod", Int(a), Int(b)) => Int(a.checked_rem(b).ok_or("division by zero")?),
         _ => return Err(format!("{a:?} {operator} {b:?}")),
     })
+}
+
+/// Nothing between leaves the type that every PLC has.
+fn time(ms: Option<u64>) -> Result<Value, String> {
+    ms.filter(|ms| *ms < 1 << 31).map(Value::Time).ok_or_else(|| "a time that does not fit".to_owned())
 }
 
 /// Both of one length; the result is, too.
@@ -166,6 +176,15 @@ impl Machine {
         }
     }
 
+    fn function(function: &str, a: Value, b: Value) -> Result<Value, String> {
+        match (function, a, b) {
+            ("shl" | "shr", ..) => super::bits::shifted(function, a, b),
+            ("min", Value::Time(a), Value::Time(b)) => Ok(Value::Time(a.min(b))),
+            ("max", Value::Time(a), Value::Time(b)) => Ok(Value::Time(a.max(b))),
+            _ => Err(format!("{function}({a:?}, {b:?})")),
+        }
+    }
+
     fn value(&self, expression: &Expression) -> Result<Value, String> {
         match expression {
             Expression::Literal(value) => Ok(*value),
@@ -175,7 +194,13 @@ impl Machine {
                 (Some(Cell::Timer(timer)), "et") => Ok(Value::Time(timer.elapsed)),
                 _ => Err(format!("there is no {name}.{member}")),
             },
-            Expression::Not(inner) => Ok(Value::Bool(!self.holds(inner)?)),
+            Expression::Not(inner) => match self.value(inner)? {
+                Value::Bits(Some(bits), value) => Ok(super::bits::not(bits, value)),
+                Value::Bool(value) => Ok(Value::Bool(!value)),
+                other => Err(format!("NOT {other:?}")),
+            },
+            Expression::Converted(from, to, inner) => super::bits::converted(from, to, self.value(inner)?),
+            Expression::Function(function, a, b) => Self::function(function, self.value(a)?, self.value(b)?),
             Expression::Minus(inner) => match self.value(inner)? {
                 Value::Int(number) => Ok(Value::Int(-number)),
                 Value::Real(real) => Ok(Value::Real(Real::new(-real.number(), real.single))),

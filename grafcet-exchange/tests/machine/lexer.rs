@@ -7,6 +7,8 @@ pub(super) enum Token {
     /// In small letters.
     Word(String),
     Int(i128),
+    /// `16#FF`
+    Hex(u64),
     /// `2.5E-3`, as its bits.
     Real(u64),
     /// Milliseconds.
@@ -66,6 +68,12 @@ pub(super) fn tokens(text: &str, dialect: Dialect) -> Result<Vec<Token>, String>
             let number: f64 = rest[..end].parse().map_err(|error| format!("{}: {error}", &rest[..end]))?;
             tokens.push(Token::Real(number.to_bits()));
             rest = &rest[end..];
+        } else if let Some(digits) = rest.strip_prefix("16#") {
+            let end = digits.find(|c: char| !c.is_ascii_hexdigit()).unwrap_or(digits.len());
+            let bits =
+                u64::from_str_radix(&digits[..end], 16).map_err(|error| format!("{}: {error}", &digits[..end]))?;
+            tokens.push(Token::Hex(bits));
+            rest = &digits[end..];
         } else if first.is_ascii_digit() {
             let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
             tokens.push(Token::Int(rest[..end].parse().map_err(|error| format!("{}: {error}", &rest[..end]))?));

@@ -2,6 +2,7 @@
 //! Nothing is shared with the exporter.
 #![allow(dead_code, reason = "each test needs a part of it")]
 
+mod bits;
 mod eval;
 mod lexer;
 mod parser;
@@ -27,6 +28,8 @@ pub(crate) enum Value {
     Int(i128),
     Time(u64),
     Real(Real),
+    /// A string of so many bits; a literal is of any length.
+    Bits(Option<u32>, u64),
 }
 
 /// A float: its bits as those of 64, and whether it is one of 32. A literal is either.
@@ -56,6 +59,7 @@ impl Value {
             Self::Int(value) => value,
             Self::Time(ms) => i128::from(ms),
             Self::Real(real) => i128::from(real.bits),
+            Self::Bits(_, bits) => i128::from(bits),
         }
     }
 }

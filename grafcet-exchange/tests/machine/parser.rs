@@ -42,6 +42,10 @@ pub(crate) enum Expression {
     To(String, Box<Expression>),
     /// `TIME_TO_DINT(…)`
     Milliseconds(Box<Expression>),
+    /// `UINT_TO_WORD(…)`
+    Converted(String, String, Box<Expression>),
+    /// `SHL`, `SHR`, `MIN`, `MAX`.
+    Function(&'static str, Box<Expression>, Box<Expression>),
 }
 
 /// Words that are no names.
@@ -70,6 +74,14 @@ const KEYWORDS: [&str; 24] = [
     "end_function",
     "end_function_block",
     "ton",
+];
+
+/// Functions of the standard, each with the names of its inputs.
+const FUNCTIONS: [(&str, &str, [&str; 2]); 4] = [
+    ("shl", "shl", ["in", "n"]),
+    ("shr", "shr", ["in", "n"]),
+    ("min", "min", ["in1", "in2"]),
+    ("max", "max", ["in1", "in2"]),
 ];
 
 /// From weak to strong.
@@ -377,6 +389,7 @@ impl Parser {
         }
         let literal = match self.peek() {
             Some(Token::Int(number)) => Some(Value::Int(*number)),
+            Some(Token::Hex(bits)) => Some(Value::Bits(None, *bits)),
             Some(Token::Time(ms)) => Some(Value::Time(*ms)),
             Some(Token::Real(bits)) => Some(Value::Real(Real::new(f64::from_bits(*bits), None))),
             _ => None,
@@ -390,20 +403,8 @@ impl Parser {
             self.need("(")?;
             return Ok(Expression::Call(name, self.arguments()?));
         }
-        if self.dialect == Dialect::Codesys && matches!(self.peek(), Some(Token::Word(word)) if word.starts_with("to_"))
-        {
-            let ty = self.name()?.split_off(3);
-            self.need("(")?;
-            let inner = self.expression(0)?;
-            self.need(")")?;
-            return Ok(Expression::To(ty, Box::new(inner)));
-        }
-        if matches!(self.peek(), Some(Token::Word(word)) if word == "time_to_dint") {
-            self.at += 1;
-            self.need("(")?;
-            let inner = self.expression(0)?;
-            self.need(")")?;
-            return Ok(Expression::Milliseconds(Box::new(inner)));
+        if let Some(standard) = self.standard()? {
+            return Ok(standard);
         }
         let name = self.inner()?;
         if self.sign(".") {
@@ -413,5 +414,43 @@ impl Parser {
             return Ok(Expression::Call(name, self.arguments()?));
         }
         Ok(Expression::Name(name))
+    }
+
+    /// A conversion or a function of the standard.
+    fn standard(&mut self) -> Result<Option<Expression>, String> {
+        let Some(Token::Word(word)) = self.peek().cloned() else { return Ok(None) };
+        if let Some((_, function, inputs)) = FUNCTIONS.into_iter().find(|(name, ..)| *name == word) {
+            self.at += 1;
+            self.need("(")?;
+            let first = self.input(inputs[0])?;
+            self.need(",")?;
+            let second = self.input(inputs[1])?;
+            self.need(")")?;
+            return Ok(Some(Expression::Function(function, Box::new(first), Box::new(second))));
+        }
+        let is_bits = |name: &str| super::bits::length(name).is_some();
+        let parts = word.split_once("_to_").filter(|(from, to)| is_bits(from) != is_bits(to) || word == "time_to_dint");
+        let narrow = word.strip_prefix("to_").filter(|_| self.dialect == Dialect::Codesys);
+        if parts.is_none() && narrow.is_none() {
+            return Ok(None);
+        }
+        self.at += 1;
+        self.need("(")?;
+        let inner = Box::new(self.expression(0)?);
+        self.need(")")?;
+        Ok(Some(match (parts, narrow) {
+            (_, Some(ty)) => Expression::To(ty.to_owned(), inner),
+            (Some(("time", _)) | None, _) => Expression::Milliseconds(inner),
+            (Some((from, to)), _) => Expression::Converted(from.to_owned(), to.to_owned(), inner),
+        }))
+    }
+
+    /// An input of such a function: TIA wants its name, the others have it by its place.
+    fn input(&mut self, name: &str) -> Result<Expression, String> {
+        if self.dialect == Dialect::Tia {
+            self.need_word(name)?;
+            self.need(":=")?;
+        }
+        self.expression(0)
     }
 }

@@ -7,7 +7,7 @@ use grafcet_compiler::model::{
 use super::Case;
 use crate::Refused;
 use crate::st::action::{Phase, Role, assigned, role, run};
-use crate::st::expr::{At, Kind};
+use crate::st::expr::{At, Kind, Moment};
 use crate::st::frame;
 use crate::st::syntax::Statement;
 use crate::st::text::{Text, all, any};
@@ -54,10 +54,14 @@ impl<'m> Case<'m> {
         for id in &self.model.leaving[step.index()] {
             let transition = &self.model.transitions[*id];
             let condition = self.condition(step, transition)?;
-            let then = self.leave(step, *id)?;
-            if !then.is_empty() {
-                branches.push((condition, then));
-            }
+            branches.push((condition, self.leave(step, *id)?));
+        }
+        // One that leads to its own step does nothing, but comes before those behind it.
+        while branches.last().is_some_and(|(_, then)| then.is_empty()) {
+            branches.pop();
+        }
+        for (_, then) in branches.iter_mut().filter(|(_, then)| then.is_empty()) {
+            then.push(Statement::comment("it stays, and what follows does not clear"));
         }
         let count = branches.len();
         Ok((Statement::If(branches, Vec::new()), count))
@@ -71,6 +75,15 @@ impl<'m> Case<'m> {
 
     /// What the step does in a scan: first what is done once, then the rest, in the end what is continuous.
     fn actions(&mut self, step: StepId, wanted: &dyn Fn(Role) -> bool) -> Result<Vec<Statement>, Refused> {
+        if !self.model.is_grafcet() {
+            self.scope.moment = Moment::Begun(step);
+        }
+        let actions = self.done_in(step, wanted);
+        self.scope.moment = Moment::Called;
+        actions
+    }
+
+    fn done_in(&mut self, step: StepId, wanted: &dyn Fn(Role) -> bool) -> Result<Vec<Statement>, Refused> {
         let ids = &self.model.steps[step].associations;
         let (mut once, mut sets, mut resets, mut bodies, mut uses) = (vec![], vec![], vec![], vec![], false);
         let mut continuous: Vec<(Place, Vec<&'m Association>)> = Vec::new();

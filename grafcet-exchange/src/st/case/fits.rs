@@ -49,6 +49,15 @@ fn too_much(model: &Model, association: &Association) -> Option<String> {
         (Sd | Ds | Sl, _) => {
             Some(format!("what `{word}` does outlives its step, which the CASE form has no place for"))
         }
+        (qualifier, effect)
+            if qualifier != Qualifier::N
+                && !matches!(effect, Effect::Control(_))
+                && role(model, association).ok() == Some(Role::Body) =>
+        {
+            Some(format!(
+                "`{word}` of what runs has a time or a pulse of its own, which the CASE form has no place for"
+            ))
+        }
         (L | D, _) if sfc && association.condition.is_some() => Some(format!(
             "in an `sfc` the time of `{word}` runs with the condition, and the CASE form has the time of the step alone"
         )),

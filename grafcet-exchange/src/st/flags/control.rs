@@ -63,7 +63,8 @@ impl Flags<'_> {
         if self.model.is_grafcet() && all.iter().all(asserts) {
             self.asserted(place, &all)
         } else {
-            self.controlled(place, &all)
+            let name = self.scope.place(place).to_owned();
+            self.controlled(name, &all)
         }
     }
 
@@ -75,7 +76,7 @@ impl Flags<'_> {
             let mut parts = vec![self.input(association)?];
             parts.extend(self.limit(association)?);
             let stable = self.model.is_grafcet();
-            let value = self.after(association.mark, |scope, at| {
+            let value = self.after(association, |scope, at| {
                 let before = if stable { &nothing } else { at.before };
                 assigned(scope, place, value, &At { before, ..*at })
             })?;
@@ -106,9 +107,8 @@ impl Flags<'_> {
     }
 
     /// `sfc`: the standard's `ACTION_CONTROL`, of which only what is needed is there.
-    fn controlled(&mut self, place: Place, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
+    pub(super) fn controlled(&mut self, name: String, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
         use Qualifier::{D, Ds, L, N, P, R, S, Sd, Sl};
-        let name = self.scope.place(place).to_owned();
         let mut inputs = self.inputs(all_of)?;
         let mut done = Vec::new();
         // Several ask for it.
@@ -175,7 +175,7 @@ impl Flags<'_> {
     }
 
     /// A flip-flop of its own.
-    fn stored(&mut self, wanted: &str) -> String {
+    pub(super) fn stored(&mut self, wanted: &str) -> String {
         let name = self.scope.names.own(wanted);
         self.frame.remember(Variable::new(&*name, "BOOL").init("FALSE"));
         name

@@ -1,24 +1,30 @@
 //! The form of flip-flops: each step is one, set by the transitions that lead to it, reset by those that leave it.
 //!
-//! - here: situation and evolution
+//! - here: transitions, times, and the program as a whole
+//! - `situation`: which steps are active, and what has become of them
+//! - `hierarchy`: what enclosing steps and forcing orders do to it
 //! - `control`: continuous and stored actions of booleans, the standard's `ACTION_CONTROL`
 //! - `runs`: what runs: assignments, blocks, calls
 
 mod control;
+mod hierarchy;
 mod runs;
+mod situation;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::analysis::hierarchy::initial_situation;
 use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Blinker, Id, Model, Place, Read, StepId, TransitionId, Tree};
+use grafcet_compiler::model::{Association, Blinker, Id, Model, PartialId, Place, Read, StepId, TransitionId, Tree};
+use grafcet_compiler::sorted::Set;
 
 use super::action::{Role, Written, places, reads, role, shared_calls, written};
-use super::expr::{At, Kind, Scope, plain};
+use super::expr::{At, Kind, Moment, Scope, plain};
 use super::frame::{self, Frame};
 use super::names::Names;
 use super::syntax::{Program, Statement, Variable};
-use super::text::{Text, all, any, not};
+use super::text::{Text, all, not};
 use super::time::LONGEST;
 use super::{Options, header};
 use crate::Refused;
@@ -27,7 +33,10 @@ use crate::Refused;
 pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
     let written = written(model)?;
     let mut refused = Vec::new();
-    shared_calls(model, &mut refused);
+    // In a `grafcet` what runs at an instant is a call of its own.
+    if !model.is_grafcet() {
+        shared_calls(model, &mut refused);
+    }
     control::refused(model, &written, &mut refused);
     runs::refused(model, &written, is_single(model), &mut refused);
     if !refused.is_empty() {
@@ -36,8 +45,11 @@ pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<R
     Flags::new(model, options).program(&written).map_err(|error| vec![error])
 }
 
-/// Whether one step is active at a time.
+/// Whether one step is active at a time, and each activation is that of a transition.
 fn is_single(model: &Model) -> bool {
+    if hierarchy::is_there(model) {
+        return false;
+    }
     let facts = Facts::of(model);
     let steps: Vec<StepId> = model.steps.ids().collect();
     let together = |(index, a): (usize, &StepId)| steps[index + 1..].iter().any(|b| facts.concurrency.together(*a, *b));
@@ -57,6 +69,11 @@ struct Flags<'m> {
     started: String,
     /// The input that begins anew.
     init: String,
+    initial: Set<StepId>,
+    /// By step, that it was active before the scan, where somebody asks.
+    was: BTreeMap<StepId, String>,
+    /// By partial grafcet, that an order holds it.
+    frozen: BTreeMap<PartialId, String>,
     /// By step, that it is activated in this scan, where somebody asks.
     activated: BTreeMap<StepId, String>,
     deactivated: BTreeMap<StepId, String>,
@@ -82,6 +99,9 @@ impl<'m> Flags<'m> {
             transitions,
             started,
             init,
+            initial: initial_situation(model),
+            was: BTreeMap::new(),
+            frozen: BTreeMap::new(),
             activated: BTreeMap::new(),
             deactivated: BTreeMap::new(),
             before: BTreeMap::new(),
@@ -101,16 +121,19 @@ impl<'m> Flags<'m> {
         let model = self.model;
         let name = self.scope.names.of_chart(&plain(&model.name));
         self.copies(written);
-        for (id, step) in model.steps.iter() {
-            let init = if step.initial { "TRUE" } else { "FALSE" };
+        for id in model.steps.ids() {
+            let init = if self.initial.contains(&id) { "TRUE" } else { "FALSE" };
             self.frame.remember(Variable::new(&*self.steps[id.index()], "BOOL").init(init));
         }
         self.frame.remember(Variable::new(&*self.started, "BOOL").init("FALSE").note("there has been a scan before"));
-        let transitions = self.transitions()?;
+        let following = self.following()?;
+        let mut transitions = self.frozen();
+        transitions.extend(self.transitions()?);
         let actions = self.actions(written)?;
         let situation = self.situation();
         let restarts = self.restarts();
-        let changes = self.changes();
+        let (changes, moved) = (self.changes(), self.moved_changes());
+        let was = self.remembered();
         let mut before = self.frame.edges(&mut self.scope, &self.started)?;
         before.extend(self.frame.delays(&mut self.scope)?);
         let timers = self.timers();
@@ -132,10 +155,13 @@ impl<'m> Flags<'m> {
         ]);
         part(body, "Edges and delays of inputs", before);
         part(body, "The times of steps, to be read", timers.clone());
+        part(body, "What follows the situation", following);
         part(body, "What actions read as it was before the scan", copies);
         part(body, "Transitions: predecessor and condition", transitions);
         part(body, "What is activated and deactivated", changes);
+        part(body, "Steps before the scan", was);
         part(body, "Steps: set by what leads to them, reset by what leaves them", situation);
+        part(body, "What has been activated and deactivated by transitions, orders and enclosing steps", moved);
         part(body, "Actions", actions);
         part(body, "The times of steps, which begin with the step", restarts.into_iter().chain(timers).collect());
         body.push(Statement::assign(self.started.clone(), "TRUE"));
@@ -180,6 +206,7 @@ impl<'m> Flags<'m> {
             let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
             let at = At { active: &active, before: &nothing, times: true, mark: transition.mark };
             let mut parts = vec![Text::word(&*self.started)];
+            parts.extend(self.lets_clear(transition));
             parts.extend(transition.sources.iter().map(|step| self.flag(*step)));
             parts.push(self.scope.expr(&transition.condition, &Kind::Bool, &at)?);
             if !model.is_grafcet() {
@@ -200,85 +227,6 @@ impl<'m> Flags<'m> {
             statements.push(Statement::assign(name, all(parts).text));
         }
         Ok(statements)
-    }
-
-    fn entering(&self, step: StepId) -> Vec<Text> {
-        self.model.entering[step.index()].iter().map(|id| self.transition(*id)).collect()
-    }
-
-    fn leaving(&self, step: StepId) -> Vec<Text> {
-        self.model.leaving[step.index()].iter().map(|id| self.transition(*id)).collect()
-    }
-
-    /// Whether it can be left and entered at once.
-    fn may_reenter(&self, step: StepId) -> bool {
-        let leaving = &self.model.leaving[step.index()];
-        let entering = &self.model.entering[step.index()];
-        leaving.iter().any(|id| entering.contains(id)) || !self.single && !leaving.is_empty() && !entering.is_empty()
-    }
-
-    fn situation(&self) -> Vec<Statement> {
-        let one = |step: StepId| {
-            let mut set = vec![self.flag(step)];
-            set.extend(self.entering(step));
-            let mut reset = vec![any(self.leaving(step))];
-            // A step that is left and entered stays active.
-            if self.may_reenter(step) {
-                reset.push(not(any(self.entering(step))));
-            }
-            let value = if self.model.leaving[step.index()].is_empty() {
-                any(set)
-            } else {
-                all(vec![any(set), not(all(reset))])
-            };
-            Statement::assign(&*self.steps[step.index()], value.text)
-        };
-        self.model.steps.ids().map(one).collect()
-    }
-
-    /// That a step is activated in this scan.
-    fn activated(&mut self, step: StepId) -> Text {
-        if !self.activated.contains_key(&step) {
-            let name = self.scope.names.own(&format!("Act_{}", plain(&self.model.steps[step].name)));
-            self.activated.insert(step, name);
-        }
-        Text::word(&*self.activated[&step])
-    }
-
-    /// That it is left.
-    fn deactivated(&mut self, step: StepId) -> Text {
-        if !self.deactivated.contains_key(&step) {
-            let name = self.scope.names.own(&format!("Deact_{}", plain(&self.model.steps[step].name)));
-            self.deactivated.insert(step, name);
-        }
-        Text::word(&*self.deactivated[&step])
-    }
-
-    /// What [`Self::activated`] and [`Self::deactivated`] have asked for, seen before the steps change.
-    fn changes(&mut self) -> Vec<Statement> {
-        let sfc = !self.model.is_grafcet();
-        let mut statements = Vec::new();
-        for (step, name) in &self.activated {
-            let mut new = vec![not(self.flag(*step))];
-            if sfc && self.may_reenter(*step) {
-                new.extend(self.leaving(*step));
-            }
-            let mut value = all(vec![any(self.entering(*step)), any(new)]);
-            if self.model.steps[*step].initial {
-                value = any(vec![value, not(Text::word(&*self.started))]);
-            }
-            self.frame.variables.push(Variable::new(&**name, "BOOL"));
-            statements.push(Statement::assign(&**name, value.text));
-        }
-        for (step, name) in &self.deactivated {
-            let mut parts = vec![any(self.leaving(*step))];
-            if !sfc && self.may_reenter(*step) {
-                parts.push(not(any(self.entering(*step))));
-            }
-            self.frame.variables.push(Variable::new(&**name, "BOOL"));
-            statements.push(Statement::assign(&**name, all(parts).text));
-        }
-        statements
     }
 
     /// The timers of steps, which run as long as these are active.
@@ -314,12 +262,15 @@ impl<'m> Flags<'m> {
     /// What an action sees after the evolution.
     fn after<T>(
         &mut self,
-        mark: Mark,
+        association: &Association,
         see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
     ) -> Result<T, Refused> {
         let (steps, before) = (self.steps.clone(), self.before.clone());
         let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
-        see(&mut self.scope, &At { active: &active, before: &before, times: true, mark })
+        self.scope.moment = Moment::Moved(association.step);
+        let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark: association.mark });
+        self.scope.moment = Moment::Called;
+        seen
     }
 
     /// What an action sees that runs at an instant: no steps and no times, which are others before and after.
@@ -347,7 +298,7 @@ impl<'m> Flags<'m> {
         }
         let stable = self.model.is_grafcet();
         let nothing = BTreeMap::new();
-        let condition = self.after(association.mark, |scope, at| {
+        let condition = self.after(association, |scope, at| {
             let before = if stable { &nothing } else { at.before };
             scope.expr(condition, &Kind::Bool, &At { before, ..*at })
         })?;

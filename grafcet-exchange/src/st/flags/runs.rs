@@ -2,26 +2,27 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use grafcet_compiler::analysis::combinational::in_order;
 use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
 
 use super::Flags;
 use crate::Refused;
 use crate::st::action::{Phase, Role, Written, places, reads, role, run};
-use crate::st::expr::{At, Kind};
+use crate::st::expr::{At, Kind, plain};
 use crate::st::syntax::{Statement, Variable};
 use crate::st::text::{Text, all, any, not};
 
 /// What has no translation.
 pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, single: bool, refused: &mut Vec<Refused>) {
     let calls = |association: &Association| match &association.effect {
-        Effect::Call(action, _) => Some(*action),
+        Effect::Call(action, _) if !model.is_grafcet() => Some(*action),
         _ => None,
     };
     for association in model.associations.values() {
         let others = || model.associations.values().filter(|other| !std::ptr::eq(*other, association));
         if let Some(action) = calls(association) {
             let again = others().any(|other| calls(other) == Some(action));
-            if again && (!single || association.qualifier == Qualifier::N) {
+            if again && (!single || !matches!(association.qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On)) {
                 let name = &model.actions[action].name;
                 refused.push(Refused::at(association.mark, format!("`{name}` is called by several steps, and the chart makes one call of them: structured text of this form has one step for an action")));
             }
@@ -119,7 +120,7 @@ impl Flags<'_> {
         Text::word(name)
     }
 
-    /// N of what runs: in each scan while its step is active, and once more after that.
+    /// What runs: in each scan in which it is driven, and once more after that.
     fn body(
         &mut self,
         association: &Association,
@@ -127,10 +128,7 @@ impl Flags<'_> {
         left: &mut Vec<Statement>,
         rest: &mut Vec<Statement>,
     ) -> Result<(), Refused> {
-        let flag = self.flag(association.step);
-        let input = self.input(association)?;
-        let runs = self.hoisted(input, association, conditions);
-        let (runs, conditional) = (runs.text, association.condition.is_some());
+        let (runs, left_or_not) = self.driven(association, conditions)?;
         let ran = self.scope.names.own("Ran_1");
         self.frame.remember(Variable::new(&*ran, "BOOL").init("FALSE").note("it ran in the scan before"));
         let stable = self.model.is_grafcet();
@@ -141,19 +139,54 @@ impl Flags<'_> {
                 let before = if stable { &nothing } else { at.before };
                 run(scope, &association.effect, phase, &At { times: false, before, ..*at })
             };
-            self.after(association.mark, sees)
+            self.after(association, sees)
         };
         let [first, repeated, last] = [phase(Phase::First)?, phase(Phase::Repeated)?, phase(Phase::Final)?];
-        let over = all(vec![Text::word(&*ran), not(Text::word(&*flag.text))]);
-        left.push(Statement::when(over.text, last.clone()));
+        // It ends with its step, or else among the rest.
+        let mut ends = Some(vec![Text::word(&*ran)]);
+        if let Some([is_left, stays]) = left_or_not {
+            let mut over = vec![Text::word(&*ran), is_left];
+            if association.qualifier == Qualifier::D {
+                over.push(not(Text::word(&*runs)));
+            }
+            left.push(Statement::when(all(over).text, last.clone()));
+            // Of N and D the condition alone ends it while the step is active.
+            let alone = association.condition.is_some() || association.qualifier == Qualifier::L;
+            ends = alone.then(|| vec![Text::word(&*ran), stays]);
+        }
         let now = if first == repeated { first } else { vec![Statement::If(vec![(ran.clone(), repeated)], first)] };
         let mut branches = vec![(runs.clone(), now)];
-        if conditional {
-            branches.push((all(vec![Text::word(&*ran), flag]).text, last));
-        }
+        branches.extend(ends.filter(|_| may_end(association.qualifier)).map(|ends| (all(ends).text, last)));
         rest.push(Statement::If(branches, Vec::new()));
         rest.push(Statement::assign(ran, runs));
         Ok(())
+    }
+
+    /// What drives what runs; of what ends with its step, that this is left and that it is not.
+    fn driven(
+        &mut self,
+        association: &Association,
+        conditions: &mut Vec<Statement>,
+    ) -> Result<(String, Option<[Text; 2]>), Refused> {
+        let (flag, qualifier) = (self.flag(association.step), association.qualifier);
+        let with_step = Some([not(flag.clone()), flag]);
+        if qualifier == Qualifier::N {
+            let input = self.input(association)?;
+            return Ok((self.hoisted(input, association, conditions).text, with_step));
+        }
+        // Its action control is one of its own, asked before the first action runs.
+        let name = self.stored("Q_1");
+        conditions.extend(self.controlled(name.clone(), &[association])?);
+        let left_or_not = match qualifier {
+            // A delay begins anew with a step that is entered anew.
+            Qualifier::D if self.may_reenter(association.step) => {
+                let is_left = self.deactivated(association.step);
+                Some([is_left.clone(), not(is_left)])
+            }
+            Qualifier::L | Qualifier::D => with_step,
+            _ => None,
+        };
+        Ok((name, left_or_not))
     }
 
     /// A place that steps alone set and reset, one at a time: what happens on activation lasts as long as the step does.
@@ -165,35 +198,21 @@ impl Flags<'_> {
 
     fn of_grafcet(&mut self, written: &BTreeMap<Place, Written>) -> Result<Vec<Statement>, Refused> {
         let model = self.model;
-        let (mut stored, mut rest, mut calls) = (Vec::new(), Vec::new(), Vec::new());
-        let mut continuous = BTreeSet::new();
-        for (id, transition) in model.transitions.iter() {
-            if transition.any.is_some_and(|any| model.anys[any].first != id) {
-                continue;
-            }
-            let mut done = Vec::new();
-            for effect in &transition.clearing {
-                done.extend(self.instant(transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
-            }
-            if !done.is_empty() {
-                // An `any` clears as a whole.
-                let same = |other: &(_, &grafcet_compiler::model::Transition)| {
-                    other.1.any.is_some() && other.1.any == transition.any
-                };
-                let mut all: Vec<Text> =
-                    model.transitions.iter().filter(same).map(|(id, _)| self.transition(id)).collect();
-                if all.is_empty() {
-                    all.push(self.transition(id));
-                }
-                stored.push(Statement::when(any(all).text, done));
-            }
-        }
+        let (mut stored, mut rest, mut calls) = (Vec::new(), self.following()?, Vec::new());
+        let mut continuous: BTreeSet<Place> = in_order(model).into_iter().map(Place::Var).collect();
         for association in model.associations.values() {
             let role = role(model, association)?;
             match role {
                 Role::Continuous(place) => {
                     if continuous.insert(place) {
                         rest.extend(self.control(place)?);
+                    }
+                }
+                Role::Body if calls_together(model, association).len() > 1 => {
+                    let together = calls_together(model, association);
+                    // Where the action first stands.
+                    if std::ptr::eq(together[0], association) {
+                        calls.extend(self.together(&together)?);
                     }
                 }
                 Role::Body => {
@@ -229,19 +248,121 @@ impl Flags<'_> {
                 }
             }
         }
+        stored.extend(self.clearing()?);
         Ok(stored.into_iter().chain(rest).chain(calls).collect())
+    }
+
+    /// One continuous call of an action by several associations: the last in the source of those that are active gives the arguments, and at the end
+    /// the one that was active last.
+    fn together(&mut self, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
+        let mut inputs = Vec::new();
+        for association in all_of {
+            inputs.push(self.input(association)?);
+        }
+        let Effect::Call(action, _) = all_of[0].effect else { return Ok(Vec::new()) };
+        let name = plain(&self.model.actions[action].name);
+        let [phase, by] = ["phase", "by"].map(|what| self.scope.names.own(&format!("{name}_{what}")));
+        self.frame.variables.push(Variable::new(&*phase, "INT").note("0 first, 1 repeated, 2 final"));
+        let (runs, ran) = (self.local("Q_1"), self.stored("Ran_1"));
+        let mut calls = Vec::new();
+        for association in all_of {
+            let Effect::Call(_, arguments) = &association.effect else { continue };
+            let told =
+                (format!("phase := {phase}"), Variable::new("phase", "INT").note("0 first, 1 repeated, 2 final"));
+            calls.push(self.after(association, |scope, at| {
+                scope.call(action, arguments, told, &At { times: false, before: &BTreeMap::new(), ..*at })
+            })?);
+        }
+        let [on, before] = [&runs, &ran].map(|name| Text::word(&**name));
+        let mut done = vec![Statement::assign(&*runs, any(inputs.clone()).text)];
+        let begins = all(vec![on.clone(), not(before.clone())]).text;
+        let told = |number: &str| vec![Statement::assign(&*phase, number)];
+        done.push(Statement::If(vec![(begins, told("0")), (runs.clone(), told("1"))], told("2")));
+        let call = if calls.iter().all(|call| *call == calls[0]) {
+            calls.swap_remove(0)
+        } else {
+            self.frame.remember(Variable::new(&*by, "INT").init("0").note("whose call it is"));
+            let by_number = |number: usize| vec![Statement::assign(&*by, number.to_string())];
+            let numbers = inputs.into_iter().enumerate().rev();
+            done.push(Statement::If(
+                numbers.map(|(number, input)| (input.text, by_number(number))).collect(),
+                Vec::new(),
+            ));
+            let branches = calls.into_iter().enumerate();
+            Statement::If(branches.map(|(number, call)| (format!("{by} = {number}"), vec![call])).collect(), Vec::new())
+        };
+        done.push(Statement::when(any(vec![on, before]).text, vec![call]));
+        done.push(Statement::assign(ran, runs));
+        Ok(done)
+    }
+
+    /// What transitions do when they clear, behind what steps do in the same evolution.
+    fn clearing(&mut self) -> Result<Vec<Statement>, Refused> {
+        let model = self.model;
+        let mut stored = Vec::new();
+        for (id, transition) in model.transitions.iter() {
+            if transition.any.is_some_and(|any| model.anys[any].first != id) {
+                continue;
+            }
+            let mut done = Vec::new();
+            for effect in &transition.clearing {
+                done.extend(self.instant(transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
+            }
+            if !done.is_empty() {
+                // An `any` clears as a whole.
+                let same = |other: &(_, &grafcet_compiler::model::Transition)| {
+                    other.1.any.is_some() && other.1.any == transition.any
+                };
+                let mut all: Vec<Text> =
+                    model.transitions.iter().filter(same).map(|(id, _)| self.transition(id)).collect();
+                if all.is_empty() {
+                    all.push(self.transition(id));
+                }
+                stored.push(Statement::when(any(all).text, done));
+            }
+        }
+        Ok(stored)
+    }
+
+    /// What follows the situation, each after what it reads: asked by transitions on the situation before the evolution, and by continuous actions on
+    /// that behind it.
+    pub(super) fn following(&mut self) -> Result<Vec<Statement>, Refused> {
+        let mut statements = Vec::new();
+        for var in in_order(self.model) {
+            statements.extend(self.control(Place::Var(var))?);
+        }
+        Ok(statements)
     }
 
     /// An action on an event runs if its step was active before the evolution.
     fn event(&mut self, association: &Association) -> Result<Statement, Refused> {
-        // It is active before if it is now and has not been activated, or has been deactivated.
-        let flag = self.flag(association.step);
-        let was = all(vec![flag, not(self.activated(association.step))]);
-        let mut parts = vec![any(vec![was, self.deactivated(association.step)])];
+        // In the first scan no edge is seen, and an event asks for one.
+        let mut parts = vec![if self.is_moved(association.step) {
+            self.was(association.step)
+        } else {
+            // It is active before if it is now and has not been activated, or has been deactivated.
+            let flag = self.flag(association.step);
+            let was = all(vec![flag, not(self.activated(association.step))]);
+            any(vec![was, self.deactivated(association.step)])
+        }];
         for condition in association.event.iter().chain(&association.condition) {
             parts.push(self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
         }
         let done = self.instant(association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
+}
+
+/// What is stored and not limited goes on for ever: nothing resets what runs.
+fn may_end(qualifier: Qualifier) -> bool {
+    !matches!(qualifier, Qualifier::S | Qualifier::Sd | Qualifier::Ds)
+}
+
+/// The continuous calls of one action, in source order.
+fn calls_together<'m>(model: &'m Model, association: &Association) -> Vec<&'m Association> {
+    let Effect::Call(action, _) = association.effect else { return Vec::new() };
+    let same = |other: &&Association| {
+        other.qualifier == Qualifier::N && matches!(other.effect, Effect::Call(other, _) if other == action)
+    };
+    model.associations.values().filter(same).collect()
 }

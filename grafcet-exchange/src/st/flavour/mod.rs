@@ -7,11 +7,16 @@ mod codesys;
 mod tia;
 mod words;
 
+use self::words::{Word, words};
 use super::Flavour;
 use super::syntax::{Program, Statement};
 
 /// The program as a tool takes it.
-pub(super) fn text(program: Program, flavour: Flavour) -> String {
+pub(super) fn text(mut program: Program, flavour: Flavour) -> String {
+    // TIA wants the inputs of functions by their names.
+    if flavour != Flavour::Tia {
+        change(&mut program.body, &|_, value| *value = positional(value));
+    }
     match flavour {
         Flavour::Iec => program.text(),
         Flavour::Codesys => codesys::text(program),
@@ -45,6 +50,30 @@ fn parts(body: &[Statement]) -> Vec<(Option<&str>, &[Statement])> {
     parts
 }
 
+/// Functions of the standard with their inputs in order: `SHL(w, 2)`.
+fn positional(text: &str) -> String {
+    let words = words(text);
+    let (mut done, mut open, mut at) = (String::new(), Vec::new(), 0);
+    while let Some(word) = words.get(at) {
+        let rest: String = words[at + 1..].iter().take(4).map(Word::text).collect();
+        match word.text() {
+            "(" => {
+                let called = at.checked_sub(1).map(|before| words[before]);
+                open.push(matches!(called, Some(Word::Called("SHL" | "SHR" | "MIN" | "MAX"))));
+            }
+            ")" => _ = open.pop(),
+            _ => {}
+        }
+        if matches!(word, Word::Part(_)) && rest == " := " && open.last() == Some(&true) {
+            at += 5;
+            continue;
+        }
+        done.push_str(word.text());
+        at += 1;
+    }
+    done
+}
+
 /// All texts of the statements, each by what it is: the target of an assignment or none, and the text of its value.
 fn change(statements: &mut [Statement], change: &dyn Fn(Option<&mut String>, &mut String)) {
     for statement in statements {
@@ -66,5 +95,16 @@ fn change(statements: &mut [Statement], change: &dyn Fn(Option<&mut String>, &mu
             }
             Statement::Comment(_) | Statement::Gap => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::positional;
+
+    #[test]
+    fn inputs_in_order() {
+        let text = "SHL(IN := f(IN := (a + 1), N := b), N := T_a.ET) = MAX(IN1 := T_a.ET, IN2 := (b)) AND g(N := c)";
+        assert_eq!(positional(text), "SHL(f(IN := (a + 1), N := b), T_a.ET) = MAX(T_a.ET, (b)) AND g(N := c)");
     }
 }

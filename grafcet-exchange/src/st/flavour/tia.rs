@@ -24,9 +24,7 @@ pub(super) fn text(mut program: Program) -> String {
         let one = |word: Word<'_>| match word {
             Word::Called(name) if functions.contains(name) => format!("\"{name}\""),
             Word::Name(name) | Word::Called(name) if inside.contains(name) => format!("#{name}"),
-            Word::Name(text) | Word::Called(text) | Word::Part(text) | Word::Operator(text) | Word::Other(text) => {
-                text.to_owned()
-            }
+            other => other.text().to_owned(),
         };
         words(text).into_iter().map(one).collect()
     };

@@ -15,6 +15,15 @@ pub(super) enum Word<'t> {
     Other(&'t str),
 }
 
+impl<'t> Word<'t> {
+    /// As it stands there.
+    pub(super) fn text(&self) -> &'t str {
+        match self {
+            Self::Name(text) | Self::Called(text) | Self::Part(text) | Self::Operator(text) | Self::Other(text) => text,
+        }
+    }
+}
+
 /// All of it, in its order.
 pub(super) fn words(text: &str) -> Vec<Word<'_>> {
     let (mut all, mut at) = (Vec::new(), 0);
