@@ -119,6 +119,36 @@ fn stored_enums_are_followed() {
     }
 }
 
+/// A search that may go through all of the chart is no longer circuit for what is proved from evolution to evolution.
+#[test]
+fn a_long_search_is_gone_through_evolution_by_evolution() {
+    let model = read(
+        "grafcet Mixer {
+            input start, stop, reset, full, hot: bool; input select: Mode in {Manual, Auto, Clean};
+            output inlet, heater, stirrer, horn: bool;
+            var mode: Mode in {Manual, Auto, Clean} = Mode::Manual; var alarms: u8 = 0;
+            param soak: time in 1s..60s = 10s;
+            initial step Idle { P1 mode = Mode::Manual; } step Chosen { P1 mode = select; } step Fill { inlet; }
+            step Heat { heater; stirrer if mode != Mode::Clean; } step Soak { stirrer; } step Fault { horn; P1 alarms = alarms.saturating_add(1); }
+            Idle -[start && alarms < 3]-> Chosen; Chosen -[mode == Mode::Auto || mode == Mode::Clean]-> Fill; Chosen -[mode == Mode::Manual && !start]-> Idle;
+            Fill -[full && !stop]-> Heat; Fill -[30s/Fill && !full || stop]-> Fault; Heat -[hot && !stop]-> Soak; Heat -[stop]-> Fault;
+            Soak -[Soak.T >= soak]-> Idle; Fault -[reset && alarms < 3]-> Idle;
+            never heater && mode == Mode::Manual; always alarms <= 3; never Soak.T > 60s; never alarms > 2 && Fill.X;
+            never alarms > 1; never Fill.X && mode == Mode::Clean; }",
+    );
+    let found = verdicts(&model);
+    for verdict in &found[..4] {
+        let Verdict::Proved(proof) = verdict else { panic!("{verdict:?}") };
+        let circuit = proof.beside.as_ref().expect("the circuit of one evolution");
+        assert!(circuit.fields.iter().any(|field| field.name == "within a search"));
+    }
+    // Shortest ways are those of whole cycles; one is enough here.
+    for (verdict, cycles) in found[4..].iter().zip([1, 1]) {
+        let Verdict::Violated(way) = verdict else { panic!("{verdict:?}") };
+        assert_eq!(way.len(), cycles, "{way:?}");
+    }
+}
+
 /// A proof speaks of an enum by its variants.
 #[test]
 fn a_proof_names_the_variants() {
