@@ -35,4 +35,4 @@ pub use live::decide_live;
 pub use ruling::rule;
 pub use sat::{At, Limit, Over};
 pub use table::table;
-pub use verdict::{Internal, Proof, Verdict, decide, never, says_nothing, vacuous};
+pub use verdict::{Internal, Proof, Verdict, by_evolutions, decide, never, says_nothing, vacuous};

@@ -243,8 +243,10 @@ fn decide_on(
     limit: &Limit,
 ) -> Result<Verdict, Internal> {
     let over = |_: Over| Verdict::Undecided(OVER.to_owned());
-    if let Some(proof) = by_evolutions(program, circuit, bad, limit)? {
-        return Ok(Verdict::Proved(proof));
+    if circuit.aig.len() >= LONG_SEARCH {
+        if let Some(proof) = by_evolutions(program, bad.property, &limit.half(FOR_EVOLUTIONS))? {
+            return Ok(Verdict::Proved(proof));
+        }
     }
     // What holds where arithmetic goes on at the other end holds where it panics, too: there are fewer ends of cycles then.
     match judge(circuit, bad.possible, limit) {
@@ -254,16 +256,17 @@ fn decide_on(
     }
 }
 
-/// Where a search for stability is so long that its circuit is large, a proof about one evolution after the other, which has been checked;
-/// none where there is none soon.
-fn by_evolutions(program: &Program<'_>, circuit: &Circuit, bad: Bad, limit: &Limit) -> Result<Option<Proof>, Internal> {
-    let claim = &program.model.properties[bad.property].claim;
-    if circuit.aig.len() < LONG_SEARCH || !matches!(claim, Claim::Never(_) | Claim::Always { .. }) {
+/// A proof that goes from one evolution of a search for stability to the next, where that is enough. What is not proved so may hold all the same.
+///
+/// # Errors
+/// A proof that fails its check.
+pub fn by_evolutions(program: &Program<'_>, property: usize, limit: &Limit) -> Result<Option<Proof>, Internal> {
+    if !matches!(program.model.properties[property].claim, Claim::Never(_) | Claim::Always { .. }) {
         return Ok(None);
     }
     let Some(evolutions) = Circuit::of_evolutions(program) else { return Ok(None) };
-    let Some(bad) = evolutions.bad.iter().find(|one| one.property == bad.property) else { return Ok(None) };
-    let found = invariant(&Task::new(&evolutions, bad.possible), &limit.half(FOR_EVOLUTIONS));
+    let Some(bad) = evolutions.bad.iter().find(|one| one.property == property) else { return Ok(None) };
+    let found = invariant(&Task::new(&evolutions, bad.possible), limit);
     match found {
         Ok(Ok(invariant)) => Ok(Some(Proof { beside: Some(Box::new(evolutions)), ..Proof::of(invariant) })),
         // A way there may be none of the whole cycles.

@@ -183,7 +183,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             Type::Bool | Type::Phase | Type::User(Ty::Bool(_)) => (1, false),
             Type::Ticks | Type::User(Ty::Time(_)) => (self.clock.width, false),
             Type::State(region) => (bits(self.program.regions[region].len()), false),
-            Type::Number => (bits(self.program.model.associations.len()), false),
+            Type::Number => (bits(self.largest_number), false),
             Type::Kind { count, .. } => (bits(usize::try_from(count).unwrap_or(usize::MAX)), false),
             Type::User(ty @ Ty::Int { .. }) => match Width::of(ty)? {
                 Some(width) => (width.bits, width.signed),

@@ -16,8 +16,14 @@ use super::sym::Sym;
 use super::{Bad, Circuit, Env, Field, Latch, Lowering, Refused, claims, monitors};
 use crate::aig::Lit;
 
-/// The parts of a cycle: what comes before the search, one evolution, and what comes behind.
-type Parts<'p, 'm> = (&'p [Statement<'m>], &'p [Statement<'m>], &'p [Statement<'m>]);
+/// The parts of a cycle.
+struct Parts<'p, 'm> {
+    before: &'p [Statement<'m>],
+    evolution: &'p [Statement<'m>],
+    /// So many of them at most.
+    rounds: u32,
+    behind: &'p [Statement<'m>],
+}
 
 /// What is kept from one evolution to the next.
 pub(super) struct Held {
@@ -42,17 +48,20 @@ impl Circuit {
 fn parts<'p, 'm>(cycle: &'p [Statement<'m>]) -> Option<Parts<'p, 'm>> {
     let search = |statement: &'p Statement<'m>| match statement {
         Statement::Part(_, body) => match &body[..] {
-            [Statement::Loop { body, .. }] => Some(&body[..]),
+            [Statement::Loop { rounds, body }] => Some((*rounds, &body[..])),
             _ => None,
         },
         _ => None,
     };
     let at = cycle.iter().position(|statement| search(statement).is_some())?;
-    Some((&cycle[..at], search(&cycle[at])?, &cycle[at + 1..]))
+    let (rounds, evolution) = search(&cycle[at])?;
+    Some(Parts { before: &cycle[..at], evolution, rounds, behind: &cycle[at + 1..] })
 }
 
 impl<'p, 'm> Lowering<'p, 'm> {
-    fn evolutions(mut self, (before, evolution, behind): Parts<'p, 'm>) -> Result<Circuit, Refused> {
+    fn evolutions(mut self, parts: Parts<'p, 'm>) -> Result<Circuit, Refused> {
+        // A search that its bound ends is one that counts up to there.
+        self.largest_number = self.largest_number.max(parts.rounds as usize);
         self.initials()?;
         let (within, so_far) = (self.aig.free(), self.aig.free());
         self.within = Some(within);
@@ -89,12 +98,12 @@ impl<'p, 'm> Lowering<'p, 'm> {
         }
         self.given()?;
         self.path = !within;
-        let (begun, _) = self.block(Rc::new(begin), before)?;
+        let (begun, _) = self.block(Rc::new(begin), parts.before)?;
         self.path = Lit::TRUE;
         let env = self.merge(within, &Rc::new(inside), &begun)?;
-        let (after, done) = self.block(env, evolution)?;
+        let (after, done) = self.block(env, parts.evolution)?;
         self.path = done;
-        let (end, _) = self.block(after.clone(), behind)?;
+        let (end, _) = self.block(after.clone(), parts.behind)?;
         let assumed = self.assumptions(&end)?;
         let broken = self.aig.or(so_far, self.overflow);
         let claims = self.claims(&end, broken);

@@ -241,6 +241,8 @@ pub(crate) struct Lowering<'p, 'm> {
     program: &'p Program<'m>,
     /// So many gates and no more.
     largest: usize,
+    /// What places of the program count with: the numbers of associations, as a rule.
+    largest_number: usize,
     aig: Aig,
     clock: Clock,
     inputs: Vec<Wire>,
@@ -343,6 +345,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
         Self {
             program,
             largest,
+            largest_number: program.model.associations.len(),
             aig: Aig::default(),
             clock,
             inputs: Vec::new(),
