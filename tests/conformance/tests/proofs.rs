@@ -9,7 +9,7 @@ use grafcet_compiler::{Wanted, compile_with};
 use grafcet_conformance::prove::{Bounds, Counts, Kind, number};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::{Invariant, Task};
-use grafcet_prove::{Limit, Verdict, certificate, decide, words};
+use grafcet_prove::{Limit, Verdict, by_evolutions, certificate, decide, words};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::time::Duration;
@@ -147,6 +147,30 @@ fn a_long_search_is_gone_through_evolution_by_evolution() {
         let Verdict::Violated(way) = verdict else { panic!("{verdict:?}") };
         assert_eq!(way.len(), cycles, "{way:?}");
     }
+}
+
+/// A search that circles ends at its bound, also where it is gone through evolution by evolution, and on the inputs with which it began.
+#[test]
+fn what_a_search_leaves_at_its_bound_is_no_secret() {
+    let model = read(
+        "grafcet C { input a, b: bool; output q: bool; initial step A; step B { q; } step D; A -[a]-> B -[a]-> A; A -[b && !a]-> D -[!b]-> A;
+         never a && A.X; never a && B.X; never !a && q && b; never D.X && !b; never D.X && a && q; }",
+    );
+    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let circuit = Circuit::of(&program).expect("a circuit");
+    let mut broken = 0;
+    for bad in &circuit.bad {
+        let verdict = decide(&program, &circuit, *bad, &Limit::none()).expect("no internal error");
+        let proof = by_evolutions(&program, bad.property, &Limit::none()).expect("no internal error");
+        match verdict {
+            Verdict::Violated(_) => {
+                broken += 1;
+                assert!(proof.is_none(), "property {} is broken", bad.property);
+            }
+            verdict => assert!(matches!(verdict, Verdict::Proved(_)) && proof.is_some(), "property {}", bad.property),
+        }
+    }
+    assert_eq!(broken, 3);
 }
 
 /// A proof speaks of an enum by its variants.
