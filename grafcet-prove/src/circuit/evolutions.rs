@@ -41,7 +41,7 @@ impl Circuit {
         }
         let clock = Clock::of(program, &claims::conditions(model), monitors::longest(model));
         let lowering = Lowering::new(program, super::LARGEST, clock);
-        lowering.evolutions(parts(&program.cycle)?).ok()
+        lowering.evolutions(&parts(&program.cycle)?).ok()
     }
 }
 
@@ -59,7 +59,7 @@ fn parts<'p, 'm>(cycle: &'p [Statement<'m>]) -> Option<Parts<'p, 'm>> {
 }
 
 impl<'p, 'm> Lowering<'p, 'm> {
-    fn evolutions(mut self, parts: Parts<'p, 'm>) -> Result<Circuit, Refused> {
+    fn evolutions(mut self, parts: &Parts<'p, 'm>) -> Result<Circuit, Refused> {
         // A search that its bound ends is one that counts up to there.
         self.largest_number = self.largest_number.max(parts.rounds as usize);
         self.initials()?;
@@ -98,9 +98,9 @@ impl<'p, 'm> Lowering<'p, 'm> {
         }
         self.given()?;
         self.path = !within;
-        let (begun, _) = self.block(Rc::new(begin), parts.before)?;
+        let (first, _) = self.block(Rc::new(begin), parts.before)?;
         self.path = Lit::TRUE;
-        let env = self.merge(within, &Rc::new(inside), &begun)?;
+        let env = self.merge(within, &Rc::new(inside), &first)?;
         let (after, done) = self.block(env, parts.evolution)?;
         self.path = done;
         let (end, _) = self.block(after.clone(), parts.behind)?;

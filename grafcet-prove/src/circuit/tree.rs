@@ -56,7 +56,7 @@ impl Lowering<'_, '_> {
                 let origin = match (call, text.clone()) {
                     (Some(_), text) => Origin::Text(text, None),
                     // Of integers it is a method of Rust's own, which comes to one value alone.
-                    (None, text) if *whole || !values.is_empty() && !(*open || is_call(&text)) => Origin::Made(text),
+                    (None, text) if *whole || !(values.is_empty() || *open || is_call(&text)) => Origin::Made(text),
                     (None, text) if !values.is_empty() => match names(mentions) {
                         Some(names) => Origin::Text(text, Some(names)),
                         None => Origin::Made(text),
