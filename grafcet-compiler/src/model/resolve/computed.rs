@@ -69,12 +69,16 @@ fn alone(block: &mut syn::Block) -> Option<&mut Expr> {
 }
 
 /// `let Some(x) = y`, alone or in a chain of `&&`.
-fn binds(condition: &Expr) -> bool {
-    match condition {
-        Expr::Let(_) => true,
-        Expr::Binary(binary) => binds(&binary.left) || binds(&binary.right),
-        Expr::Paren(inner) => binds(&inner.expr),
-        _ => false,
+fn binds(mut condition: &Expr) -> bool {
+    // A long chain leans to the left.
+    loop {
+        condition = match condition {
+            Expr::Let(_) => return true,
+            Expr::Binary(binary) if binds(&binary.right) => return true,
+            Expr::Binary(binary) => &binary.left,
+            Expr::Paren(inner) => &inner.expr,
+            _ => return false,
+        };
     }
 }
 
