@@ -96,13 +96,13 @@ fn chosen(model: &Model, shown: &Shown) -> Vec<String> {
     all
 }
 
-/// What the program said, as far as that is on.
+/// What the program said: its numbers, zero too, and what is on.
 fn told(shown: &Shown) -> Vec<String> {
     let mut all = Vec::new();
     for (text, value) in &shown.told {
         match value {
             Value::Bool(true) => all.push(text.clone()),
-            Value::Bool(false) | Value::Int(0) => {}
+            Value::Bool(false) => {}
             _ => all.push(format!("{text} = {value}")),
         }
     }
