@@ -14,7 +14,7 @@ use grafcet_compiler::program::Program;
 use crate::aig::Lit;
 use crate::circuit::{Circuit, Condition};
 use crate::lemmas::assume;
-use crate::sat::{At, Limit, Over};
+use crate::limit::{At, Limit, Over};
 use domain::Domain;
 use growth::Growth;
 

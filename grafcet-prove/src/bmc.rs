@@ -1,6 +1,7 @@
 //! Bounded model checking: the cycles from the beginning on, one after the other, so that what is found first is shortest.
 
-use crate::sat::{At, Limit, Over, Sat, Term, Wires};
+use crate::limit::{At, Limit, Over};
+use crate::sat::{Sat, Term, Wires};
 use crate::task::{Task, Way};
 
 /// The first cycles of a chart in a solver.

@@ -5,7 +5,8 @@
 
 use crate::aig::{Aig, Lit, Node};
 use crate::circuit::{Circuit, Condition};
-use crate::sat::{Limit, Over, Sat, Term};
+use crate::limit::{Limit, Over};
+use crate::sat::{Sat, Term};
 use crate::task::{Invariant, Task, entry};
 use crate::ways::{self, Ways};
 

@@ -12,7 +12,7 @@ use crate::aig::Lit;
 use crate::bits::{self, Bits};
 use crate::circuit::{Circuit, Condition, Field, Latch};
 use crate::lemmas::{always, assume, limits};
-use crate::sat::{At, Limit, Over};
+use crate::limit::{At, Limit, Over};
 use crate::task::Task;
 
 /// So many candidates, and no more.

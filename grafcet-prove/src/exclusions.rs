@@ -7,7 +7,7 @@ use crate::aig::{Lit, value};
 use crate::certificate;
 use crate::circuit::{Circuit, Condition, Latch};
 use crate::lemmas::always;
-use crate::sat::{Limit, Over};
+use crate::limit::{Limit, Over};
 
 /// More than these are not compared with each other.
 const MOST: usize = 80;

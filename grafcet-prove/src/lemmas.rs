@@ -12,7 +12,8 @@ use crate::aig::{Aig, Lit};
 use crate::bits;
 use crate::certificate;
 use crate::circuit::{Circuit, Condition, Deadline, Field, Latch};
-use crate::sat::{At, Limit, Over, Sat, Term, Wires};
+use crate::limit::{At, Limit, Over};
+use crate::sat::{Sat, Term, Wires};
 
 /// So many candidates, and no more.
 const MOST: usize = 400;

@@ -15,6 +15,7 @@ pub mod export;
 mod goal;
 mod home;
 pub mod lemmas;
+mod limit;
 mod live;
 mod pdr;
 pub mod play;
@@ -31,8 +32,8 @@ pub mod ways;
 pub mod words;
 
 pub use home::decide_home;
+pub use limit::{At, Limit, Over};
 pub use live::decide_live;
 pub use ruling::rule;
-pub use sat::{At, Limit, Over};
 pub use table::table;
 pub use verdict::{Internal, Proof, Verdict, by_evolutions, decide, never, says_nothing, vacuous};

@@ -16,17 +16,21 @@ use crate::bmc::Unrolled;
 use crate::certificate;
 use crate::circuit::{Circuit, Field, Latch, Live, Source, Wire};
 use crate::goal::Goal;
+use crate::limit::Limit;
 use crate::pdr::{Answer, Pdr};
 use crate::replay::{self, Why};
-use crate::sat::Limit;
 use crate::task::{Task, Way, cone};
 use crate::verdict::{Internal, OVER, Proof, Verdict, differs};
 
 /// So many steps of the solver for the first bound; twice as many for each next one.
 const FIRST_STEPS: u64 = 5_000;
 
-/// So many cycles are looked at for the first bound, and as many again for each next one.
+/// So many cycles are looked at before the first bound is tried.
 const CYCLES: usize = 8;
+
+/// And so many more before each next one. Cycles that come again and again are hard to look for where there are none, so that a proof with a small
+/// bound comes first; a way is mostly short.
+const MORE_CYCLES: [usize; 4] = [1, 1, 2, 4];
 
 /// Decides a property about what comes some time, within a limit.
 ///
@@ -40,8 +44,8 @@ pub fn decide_live(program: &Program<'_>, circuit: &Circuit, live: Live, limit: 
     let task = Task::new(&lasso.circuit, lasso.bad);
     let mut unrolled = Unrolled::new(&task, limit);
     let (mut bound, mut steps) = (1, FIRST_STEPS);
-    loop {
-        for _ in 0..CYCLES {
+    for cycles in std::iter::once(CYCLES).chain(MORE_CYCLES).chain(std::iter::repeat(CYCLES)) {
+        for _ in 0..cycles {
             match unrolled.cycle() {
                 Ok(Some(way)) => return shown(program, circuit, &goal, &lasso, &way),
                 Ok(None) => {}
@@ -56,6 +60,7 @@ pub fn decide_live(program: &Program<'_>, circuit: &Circuit, live: Live, limit: 
         }
         (bound, steps) = (bound * 2, steps * 2);
     }
+    Ok(Verdict::Undecided(OVER.to_owned()))
 }
 
 /// That the chart waits for less than so many rounds; none where that is not so, or not found out.

@@ -6,7 +6,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::sat::{At, Limit, Over, Sat, Term, Wires};
+use crate::limit::{At, Limit, Over};
+use crate::sat::{Sat, Term, Wires};
 use crate::task::{Cube, Invariant, Task, Way, entry};
 
 /// How it ends.

@@ -3,7 +3,8 @@
 //! The program says after how many rounds it is cut off; most searches end long before.
 
 use crate::aig::{Aig, Lit};
-use crate::sat::{Limit, Sat, Wires};
+use crate::limit::Limit;
+use crate::sat::{Sat, Wires};
 
 /// So many steps of the solver for one search, in all.
 const STEPS: u64 = 30_000;

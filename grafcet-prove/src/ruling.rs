@@ -1,29 +1,37 @@
 //! What the macro asks: what of a chart's properties the exploration of its situations has left open.
 
+use grafcet_compiler::analysis::explore::Limits;
 use grafcet_compiler::analysis::{Facts, Question, Ruling};
-use grafcet_compiler::model::Model;
+use grafcet_compiler::model::{Claim, Model};
 use grafcet_compiler::program::{Encoding, Program, counted};
 
 use crate::aig::Lit;
 use crate::circuit::Circuit;
 use crate::home::decide_home;
+use crate::limit::{Effort, Limit};
 use crate::live::decide_live;
 use crate::replay::Shown;
-use crate::sat::Limit;
 use crate::table::table;
 use crate::task::Invariant;
-use crate::verdict::{Internal, Verdict, decide, never, says_nothing, vacuous};
+use crate::verdict::{Internal, OVER, Verdict, decide, never, says_nothing, vacuous};
 
 /// So many gates and no more: a macro is built without optimisation.
 const GATES: usize = 400_000;
 
-/// So many steps of the solver for each property, and for each way home, of which a step is shorter.
-const STEPS: u64 = 200_000;
-const STEPS_HOME: u64 = 400_000;
+/// So many steps of the solver for each question, of which a step in a small circuit finds next to nothing.
+const STEPS: u64 = 2_000_000;
+
+/// What all of a chart may take together, as a step of a large circuit takes a hundred times as long as one of a small circuit: in a macro
+/// without optimisation some four seconds.
+const EFFORT: u64 = 6_000_000;
+
+/// Where it is decided for which this does not suffice.
+const MORE: &str = "`cargo grafcet prove` searches as long as you let it, and a larger `budget` of the chart lets the macro search longer";
 
 /// Answers what is `asked` of a chart: one answer for each question.
 ///
-/// It is limited in steps, not in time, so that every machine says the same.
+/// It is limited in steps and in what they find, not in time, so that every machine says the same. A `budget` of the chart above what the
+/// exploration has without one moves these limits as far.
 #[must_use]
 pub fn rule(model: &Model, facts: &Facts<'_>, asked: &[Question]) -> Vec<Ruling> {
     let all = |why: &dyn std::fmt::Display| asked.iter().map(|_| Ruling::Open(why.to_string())).collect();
@@ -35,22 +43,55 @@ pub fn rule(model: &Model, facts: &Facts<'_>, asked: &[Question]) -> Vec<Ruling>
         Ok(circuit) => circuit,
         Err(refused) => return all(&format!("the solver does not model {refused}")),
     };
-    let limit = || Limit::work(STEPS);
-    let is_home = |property: usize| circuit.homes.iter().any(|home| home.property == property);
-    let answer = |question: &Question| match *question {
-        Question::Holds(property) if is_home(property) => holds(&program, &circuit, property, &Limit::work(STEPS_HOME)),
-        Question::Holds(property) => holds(&program, &circuit, property, &limit()),
-        Question::NeverHappens(property) => proved(vacuous(&circuit, property, &limit())),
-        Question::NoCycle => proved(never(&circuit, Lit::TRUE, &limit())),
-        Question::SaysNothing(number) => proved(says_nothing(&circuit, number, &limit())),
-        Question::Apart(one, other) => {
-            let (with, met) = circuit.meeting(one, other);
-            proved(never(&alone(&with), met, &limit()))
+    let times = model.budget.map_or(1, |count| (Limits::situations(count).work / Limits::default().work).max(1));
+    let answer = |question: &Question, share: &Effort| {
+        let limit = Limit::work(STEPS.saturating_mul(times)).within(share);
+        match *question {
+            Question::Holds(number) => holds(&program, &circuit, number, &limit),
+            Question::NeverHappens(number) => proved(vacuous(&circuit, number, &limit)),
+            Question::NoCycle => proved(never(&circuit, Lit::TRUE, &limit)),
+            Question::SaysNothing(number) => proved(says_nothing(&circuit, number, &limit)),
+            Question::Apart(one, other) => {
+                let (with, met) = circuit.meeting(one, other);
+                proved(never(&alone(&with), met, &limit))
+            }
+            Question::Settles => proved(never(&alone(&circuit), circuit.unsettled, &limit)),
+            Question::NeverComes(number) => proved(never(&circuit, circuit.often[number], &limit)),
         }
-        Question::Settles => proved(never(&alone(&circuit), circuit.unsettled, &limit())),
-        Question::NeverComes(number) => proved(never(&circuit, circuit.often[number], &limit())),
     };
-    asked.iter().map(answer).collect()
+    // What is about one cycle is mostly easier than what comes after another, or a way home.
+    let is_later = |question: &Question| match *question {
+        Question::Holds(number) => !matches!(model.properties[number].claim, Claim::Never(_) | Claim::Always { .. }),
+        _ => true,
+    };
+    shared(asked, is_later, &Effort::new(EFFORT.saturating_mul(times)), answer)
+}
+
+/// Each question is asked with a small share first, and what that does not decide once more with half of what is left: nothing that is hard is in
+/// the way of what is easy.
+fn shared(
+    asked: &[Question],
+    is_later: impl Fn(&Question) -> bool,
+    whole: &Effort,
+    answer: impl Fn(&Question, &Effort) -> Ruling,
+) -> Vec<Ruling> {
+    let ask = |question: &Question, part: u64| {
+        let share = whole.part(part);
+        let ruling = answer(question, &share);
+        let was_stopped = share.is_spent();
+        whole.take_back(&share);
+        (ruling, was_stopped)
+    };
+    let small = if asked.len() == 1 { whole.left() } else { whole.left() / (4 * asked.len().max(1) as u64) };
+    let mut rulings: Vec<(Ruling, bool)> = asked.iter().map(|question| ask(question, small)).collect();
+    for later in [false, true] {
+        for (question, (ruling, was_stopped)) in asked.iter().zip(&mut rulings) {
+            if *was_stopped && is_later(question) == later {
+                *ruling = ask(question, whole.left() / 2).0;
+            }
+        }
+    }
+    rulings.into_iter().map(|(ruling, _)| ruling).collect()
 }
 
 /// The rules of a chart do not rely on what is assumed to come one behind the other.
@@ -88,6 +129,7 @@ fn holds(program: &Program<'_>, circuit: &Circuit, property: usize, limit: &Limi
         Ok(Verdict::Endless { way, again }) => {
             Ruling::Broken { cycles: way.len(), again: Some(again + 1), way: table(&way) }
         }
+        Ok(Verdict::Undecided(why)) if why == OVER => Ruling::Open(format!("{why}: {MORE}")),
         Ok(Verdict::Undecided(why)) => Ruling::Open(why),
         Err(internal) => Ruling::Open(internal.to_string()),
     }

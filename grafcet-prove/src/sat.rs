@@ -3,132 +3,11 @@
 
 use std::cell::Cell;
 use std::rc::Rc;
-use std::time::{Duration, Instant};
 
 use batsat::{BasicCallbacks, Lit as Inner, Solver, SolverInterface, SolverOpts, Var, lbool};
 
 use crate::aig::{Aig, Lit, Node};
-
-/// How long is searched, and who is told of it.
-#[derive(Clone)]
-pub struct Limit(Rc<Bound>);
-
-/// How far a search is, for whoever waits for it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum At {
-    /// This cycle from the beginning on is looked at.
-    Cycle(usize),
-    /// This frame of IC3.
-    Frame(usize),
-    /// What steps and what clocks have to do with each other.
-    Lemmas,
-    /// So many sets of states with a way home have been found.
-    Ways(usize),
-}
-
-/// Who is told how far a search is; nothing where it only goes on.
-type Watch = Box<dyn Fn(Option<At>)>;
-
-enum Bound {
-    None,
-    Until(Instant, Cell<bool>),
-    Work(Cell<u64>),
-    Part(Limit, Cell<u64>),
-    Watched(Limit, Watch),
-}
-
-impl Limit {
-    #[must_use]
-    pub fn none() -> Self {
-        Self(Rc::new(Bound::None))
-    }
-
-    /// For so long.
-    #[must_use]
-    pub fn time(time: Duration) -> Self {
-        let until = Instant::now().checked_add(time);
-        Self(Rc::new(until.map_or(Bound::None, |until| Bound::Until(until, Cell::new(false)))))
-    }
-
-    /// So many steps of the solver: the same on every machine.
-    #[must_use]
-    pub fn work(steps: u64) -> Self {
-        Self(Rc::new(Bound::Work(Cell::new(steps))))
-    }
-
-    /// So many steps at most of what is left.
-    #[must_use]
-    pub fn part(&self, steps: u64) -> Self {
-        Self(Rc::new(Bound::Part(self.clone(), Cell::new(steps))))
-    }
-
-    /// Half of the steps that are left, and so many at most.
-    pub(crate) fn half(&self, most: u64) -> Self {
-        let left = match &*self.0 {
-            Bound::Work(left) | Bound::Part(_, left) => left.get() / 2,
-            Bound::None | Bound::Until(..) | Bound::Watched(..) => most,
-        };
-        self.part(left.min(most))
-    }
-
-    /// The same limit; `watch` is told how far the search is, and, with nothing, again and again that it goes on.
-    #[must_use]
-    pub fn watched(self, watch: impl Fn(Option<At>) + 'static) -> Self {
-        Self(Rc::new(Bound::Watched(self, Box::new(watch))))
-    }
-
-    /// Tells how far the search is.
-    pub(crate) fn tell(&self, at: At) {
-        match &*self.0 {
-            Bound::None | Bound::Until(..) | Bound::Work(_) => {}
-            Bound::Part(whole, _) => whole.tell(at),
-            Bound::Watched(whole, watch) => {
-                watch(Some(at));
-                whole.tell(at);
-            }
-        }
-    }
-
-    /// Whether it is reached, and stays so. Asking is a step.
-    #[must_use]
-    pub fn is_over(&self) -> bool {
-        match &*self.0 {
-            Bound::None => false,
-            Bound::Until(until, over) => {
-                over.set(over.get() || Instant::now() >= *until);
-                over.get()
-            }
-            Bound::Work(left) => Self::step(left),
-            Bound::Part(whole, left) => Self::step(left) || whole.is_over(),
-            Bound::Watched(whole, watch) => {
-                watch(None);
-                whole.is_over()
-            }
-        }
-    }
-
-    /// So many steps more are taken than are asked about: work that is none of the solver's.
-    pub(crate) fn spend(&self, steps: u64) {
-        match &*self.0 {
-            Bound::None | Bound::Until(..) => {}
-            Bound::Work(left) => left.set(left.get().saturating_sub(steps)),
-            Bound::Part(whole, left) => {
-                left.set(left.get().saturating_sub(steps));
-                whole.spend(steps);
-            }
-            Bound::Watched(whole, _) => whole.spend(steps),
-        }
-    }
-
-    fn step(left: &Cell<u64>) -> bool {
-        left.set(left.get().saturating_sub(1));
-        left.get() == 0
-    }
-}
-
-/// The limit is reached.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Over;
+use crate::limit::{Limit, Over};
 
 /// A variable of the solver, or its negation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -142,9 +21,42 @@ impl std::ops::Not for Term {
     }
 }
 
+/// How many values a step of the solver finds: the solver tells only after a search, and a search has to end.
+struct Pace {
+    steps: Cell<u64>,
+    each: Cell<u64>,
+}
+
+impl Pace {
+    /// In a search of few steps, most values are found before the first one.
+    const LONG: u64 = 64;
+
+    fn new() -> Self {
+        Self { steps: Cell::new(0), each: Cell::new(100) }
+    }
+
+    /// One step more, which is taken to find as many values as those of the last long search.
+    fn step(&self, limit: &Limit) {
+        self.steps.set(self.steps.get() + 1);
+        limit.found(self.each.get());
+    }
+
+    /// After a search, in which so many values were found: what was told is corrected.
+    fn correct(&self, limit: &Limit, found: u64) {
+        let steps = self.steps.take();
+        let told = steps * self.each.get();
+        limit.found(found.saturating_sub(told));
+        limit.not_found(told.saturating_sub(found));
+        if steps >= Self::LONG {
+            self.each.set(found / steps);
+        }
+    }
+}
+
 pub(crate) struct Sat {
     solver: Solver<BasicCallbacks>,
     limit: Limit,
+    pace: Rc<Pace>,
     /// What gates come to follows from what they read, and is not tried.
     inputs_only: bool,
 }
@@ -152,9 +64,13 @@ pub(crate) struct Sat {
 impl Sat {
     pub(crate) fn new(limit: &Limit) -> Self {
         let mut callbacks = BasicCallbacks::new();
-        let stop = limit.clone();
-        callbacks.set_stop(move || stop.is_over());
-        Self { solver: Solver::new(SolverOpts::default(), callbacks), limit: limit.clone(), inputs_only: false }
+        let pace = Rc::new(Pace::new());
+        let (over, step) = (limit.clone(), Rc::clone(&pace));
+        callbacks.set_stop(move || {
+            step.step(&over);
+            over.is_over()
+        });
+        Self { solver: Solver::new(SolverOpts::default(), callbacks), limit: limit.clone(), pace, inputs_only: false }
     }
 
     /// One that tries values of inputs alone: for many easy questions, whose answers shall be simple.
@@ -176,6 +92,8 @@ impl Sat {
     }
 
     pub(crate) fn clause(&mut self, terms: &[Term]) {
+        // To take up a clause is as much work as to find a value.
+        self.limit.found(1);
         let mut clause: Vec<Inner> = terms.iter().map(|term| term.0).collect();
         self.solver.add_clause_reuse(&mut clause);
     }
@@ -186,7 +104,9 @@ impl Sat {
             return Err(Over);
         }
         let assumed: Vec<Inner> = assumed.iter().map(|term| term.0).collect();
+        let before = self.solver.num_propagations();
         let found = self.solver.solve_limited(&assumed);
+        self.pace.correct(&self.limit, self.solver.num_propagations() - before);
         if found == lbool::TRUE {
             Ok(true)
         } else if found == lbool::FALSE {

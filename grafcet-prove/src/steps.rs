@@ -8,8 +8,8 @@ use crate::aig::Lit;
 use crate::bits;
 use crate::certificate;
 use crate::circuit::{Circuit, Condition, Field, Latch};
+use crate::limit::{Limit, Over};
 use crate::pdr::code;
-use crate::sat::{Limit, Over};
 use crate::task::{Cube, entry};
 
 /// What has been added to a circuit.

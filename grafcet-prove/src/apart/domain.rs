@@ -5,7 +5,7 @@ use grafcet_compiler::program::{Program, Role};
 use crate::aig::{Lit, value};
 use crate::circuit::{Circuit, Field, Source};
 use crate::clocks::is_clock;
-use crate::sat::Limit;
+use crate::limit::Limit;
 use crate::task::Task;
 
 /// More pairs than these are not looked at.

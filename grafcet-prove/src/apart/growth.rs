@@ -6,7 +6,8 @@ use super::domain::{Domain, Grown, Noise};
 use crate::aig::Lit;
 use crate::bits::{self, Bits};
 use crate::circuit::{Circuit, Condition, Field, Latch};
-use crate::sat::{Limit, Over, Sat, Term, Wires};
+use crate::limit::{Limit, Over};
+use crate::sat::{Sat, Term, Wires};
 
 /// What has grown more often is given up.
 const GROWS: u32 = 24;

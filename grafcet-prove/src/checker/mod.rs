@@ -12,9 +12,9 @@ use crate::bmc;
 use crate::circuit::{Bad, Circuit, Latch};
 use crate::export;
 use crate::goal::Goal;
+use crate::limit::Limit;
 use crate::live::{self, Lasso};
 use crate::play::Player;
-use crate::sat::Limit;
 use crate::task::{Task, Way};
 use crate::verdict::{self, FIRST_CYCLES, Internal, Verdict};
 

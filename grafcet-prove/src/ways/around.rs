@@ -4,8 +4,9 @@ use super::given::Given;
 use super::search::Search;
 use super::times;
 use crate::aig::{Lit, value};
+use crate::limit::Over;
 use crate::pdr::code;
-use crate::sat::{Over, Term};
+use crate::sat::Term;
 use crate::task::{Cube, entry};
 
 /// What a cube costs in steps of the solver, as measured.

@@ -2,7 +2,8 @@
 
 use super::search::Search;
 use crate::aig::{Aig, Lit, Node};
-use crate::sat::{Over, Sat, Term, Wires};
+use crate::limit::Over;
+use crate::sat::{Sat, Term, Wires};
 use crate::task::{Cube, entry};
 
 /// One cycle with inputs that are given: most gates come to nothing then.

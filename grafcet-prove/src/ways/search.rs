@@ -3,7 +3,8 @@
 use super::{Lead, Trust, Ways, inputs, times};
 use crate::aig::Lit;
 use crate::circuit::{Circuit, Condition};
-use crate::sat::{At, Limit, Over, Sat, Term, Wires};
+use crate::limit::{At, Limit, Over};
+use crate::sat::{Sat, Term, Wires};
 use crate::steps::Steps;
 use crate::task::{cone, entry};
 
