@@ -14,4 +14,22 @@ grafcet! {
     }
 }
 
+// Which of the two a chain means is no matter any more.
+grafcet! {
+    grafcet Stations {
+        input start, done: bool;
+
+        partial First {
+            initial step Rest;
+            step Run;
+            Rest -[start]-> Run -[done]-> Rest;
+        }
+        partial Second {
+            initial step Rest;
+            step Wait;
+            Rest -[start]-> Wait -[done]-> Rest;
+        }
+    }
+}
+
 fn main() {}

@@ -196,11 +196,14 @@ impl Resolver<'_> {
             };
             self.model.steps[step].drawn = true;
             if self.model.steps[step].partial != partial {
-                let message = format!(
-                    "`{name}` belongs to {}; a transition connects steps of one partial grafcet",
-                    self.partial_name(self.model.steps[step].partial)
-                );
-                self.sink.notation(name, message);
+                // Of two steps of one name the other one is meant, and that there are two has been reported.
+                if !self.scope.is_twice(name) {
+                    let message = format!(
+                        "`{name}` belongs to {}; a transition connects steps of one partial grafcet",
+                        self.partial_name(self.model.steps[step].partial)
+                    );
+                    self.sink.notation(name, message);
+                }
                 complete = false;
             }
             if !steps.contains(&step) {

@@ -213,6 +213,11 @@ impl Scope {
         self.names.values().flatten().filter(steps).map(|(_, name)| name)
     }
 
+    /// Whether the name is declared more than once, which has been reported.
+    pub(super) fn is_twice(&self, name: &Ident) -> bool {
+        self.names.get(&key(name)).is_some_and(|same| same.len() > 1)
+    }
+
     /// Whether a broken item would have declared the name.
     pub(super) fn is_broken(&self, name: &Ident) -> bool {
         self.broken.iter().any(|b| name == b)
