@@ -86,7 +86,7 @@ fn shared(
     let mut rulings: Vec<(Ruling, bool)> = asked.iter().map(|question| ask(question, small)).collect();
     for later in [false, true] {
         for (question, (ruling, was_stopped)) in asked.iter().zip(&mut rulings) {
-            if *was_stopped && is_later(question) == later {
+            if *was_stopped && matches!(ruling, Ruling::Open(_)) && is_later(question) == later {
                 *ruling = ask(question, whole.left() / 2).0;
             }
         }
