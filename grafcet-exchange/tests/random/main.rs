@@ -21,6 +21,7 @@ mod random;
 #[path = "../../../tests/conformance/reader.rs"]
 #[allow(dead_code, unreachable_pub, reason = "a part of another test's crate")]
 mod reader;
+mod reasons;
 mod round;
 mod shifted;
 
@@ -41,6 +42,16 @@ pub(crate) const FLAVOURS: [(Flavour, Dialect); 3] =
     [(Flavour::Iec, Dialect::Iec), (Flavour::Codesys, Dialect::Codesys), (Flavour::Tia, Dialect::Tia)];
 
 pub(crate) const CYCLES: usize = 120;
+
+/// Whether it is a `grafcet`, and as what it is written.
+pub(crate) const FORMS: [(bool, Form, Option<Order>); 6] = [
+    (false, Form::Case, None),
+    (true, Form::Case, None),
+    (false, Form::Case, Some(Order::EvolveFirst)),
+    (true, Form::Case, Some(Order::EvolveFirst)),
+    (false, Form::FlipFlops, None),
+    (true, Form::FlipFlops, None),
+];
 
 #[test]
 fn case_sfc() {
@@ -85,9 +96,17 @@ pub(crate) fn resolved(text: &str) -> Option<Model> {
     model.filter(|model| !wrong && !model.incomplete)
 }
 
+/// How many charts, and the seed of the first.
+pub(crate) fn seeds(charts: usize) -> (usize, u64) {
+    let told = |name: &str| std::env::var(name).ok();
+    (
+        told("ST_CHARTS").and_then(|charts| charts.parse().ok()).unwrap_or(charts),
+        told("ST_SEED").and_then(|seed| seed.parse().ok()).unwrap_or(1),
+    )
+}
+
 fn compare(grafcet: bool, form: Form, order: Option<Order>) {
-    let wanted = std::env::var("ST_CHARTS").ok().and_then(|charts| charts.parse().ok()).unwrap_or(CHARTS);
-    let first: u64 = std::env::var("ST_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
+    let (wanted, first) = seeds(CHARTS);
     let (mut done, mut cycles, mut structure, mut differing) = (0, 0, [0; 6], Vec::new());
     let mut refusals = BTreeMap::<String, usize>::new();
     let mut seed = first;
@@ -100,9 +119,7 @@ fn compare(grafcet: bool, form: Form, order: Option<Order>) {
         let options = Options { form, order, ..Options::default() };
         if let Err(refused) = structured_text(&model, &options) {
             let first = refused.first().map(ToString::to_string).unwrap_or_default();
-            // Without names.
-            let words: Vec<&str> = first.split('`').step_by(2).collect();
-            *refusals.entry(words.join("_")).or_default() += 1;
+            *refusals.entry(reasons::without_names(&first)).or_default() += 1;
             continue;
         }
         let Ok(model) = chart::resolve(&made.chart) else { continue };
