@@ -6,7 +6,7 @@ use grafcet_compiler::model::{
     ActionId, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Statement as Rust, Tree,
 };
 
-use super::expr::{At, Scope, kind, plain};
+use super::expr::{At, Kind, Scope, kind, plain};
 use super::names::Names;
 use super::syntax::{Statement, Stub, Variable};
 use super::variants;
@@ -160,7 +160,9 @@ fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Res
             return Err(Refused::at(at.mark, message));
         }
     }
-    Ok(scope.tree(value, &wanted, at)?.text)
+    let text = scope.tree(value, &wanted, at)?.text;
+    scope.tells_times |= wanted == Kind::Time && text.contains(".ET");
+    Ok(text)
 }
 
 fn kind_of(model: &Model, place: Place, at: &At<'_>) -> Result<super::expr::Kind, Refused> {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
-    ActionId, Binary, Blink, Blinker, DelayId, EdgeId, Expr, Id, Integer, Model, Name, Place, Read, StepId, TimeRef,
+    ActionId, Binary, Blink, Blinker, DelayId, EdgeId, Expr, Id, Integer, MacroId, Model, Name, Place, Read, StepId, TimeRef,
     Tree, Ty, Unary,
 };
 
@@ -81,13 +81,33 @@ pub(crate) struct At<'a> {
     pub(crate) mark: Mark,
 }
 
+/// Of what edges and delays can be.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Remembers {
+    /// Of inputs and parameters.
+    Inputs,
+    /// Of steps, too.
+    Steps,
+    /// Of all.
+    All,
+}
+
+impl Remembers {
+    fn mend(self) -> &'static str {
+        match self {
+            Self::Steps => "only edges and delays of inputs and steps have: use the form of flip-flops",
+            _ => "only edges of inputs are: ask for the step or the value itself",
+        }
+    }
+}
+
 /// What the timers of steps show.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Moment {
     /// They have been called on the situation that counts.
     Called,
     /// Steps but this one may have been left since then: these timers show the times that they had reached.
-    Moved(StepId),
+    Moved(Option<StepId>),
     /// They have been called after the evolution, of an action of this step: those of what has been left have begun anew.
     Begun(StepId),
 }
@@ -99,8 +119,13 @@ pub(crate) struct Scope<'m> {
     values: BTreeMap<Name, String>,
     /// The timers of steps.
     pub(crate) timers: BTreeMap<StepId, String>,
+    pub(crate) macro_timers: BTreeMap<MacroId, String>,
     /// Of an edge the variables for rising, falling and the value before.
     pub(crate) edges: BTreeMap<EdgeId, [String; 3]>,
+    /// The same of edges in the actions of an `sfc`, which compare what there is behind the evolution.
+    pub(crate) acting: BTreeMap<EdgeId, [String; 3]>,
+    /// Of what edges and delays can be.
+    pub(crate) remembers: Remembers,
     pub(crate) delays: BTreeMap<DelayId, String>,
     pub(crate) stubs: Vec<Stub>,
     /// The names of stubs, by what they stand for.
@@ -112,6 +137,8 @@ pub(crate) struct Scope<'m> {
     /// Something blinks.
     pub(crate) blinks: bool,
     pub(crate) moment: Moment,
+    /// The time of a step is stored.
+    pub(crate) tells_times: bool,
     /// Times are added.
     pub(crate) adds_times: bool,
 }
@@ -136,7 +163,10 @@ impl<'m> Scope<'m> {
             names,
             values: BTreeMap::new(),
             timers: BTreeMap::new(),
+            macro_timers: BTreeMap::new(),
             edges: BTreeMap::new(),
+            acting: BTreeMap::new(),
+            remembers: Remembers::Inputs,
             delays: BTreeMap::new(),
             stubs: Vec::new(),
             called: BTreeMap::new(),
@@ -144,6 +174,7 @@ impl<'m> Scope<'m> {
             steps: None,
             blinks: false,
             moment: Moment::Called,
+            tells_times: false,
             adds_times: false,
         };
         let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
@@ -188,10 +219,8 @@ impl<'m> Scope<'m> {
             }),
             Tree::Read(read) => self.read(*read, at),
             Tree::Elapsed(time, step) => self.elapsed(*time, *step, at),
+            Tree::MacroElapsed(time, id) => self.macro_elapsed(*time, *id, at),
             _ if self.is_of_bits(tree, wanted) => self.of_bits(tree, wanted, at),
-            Tree::MacroElapsed(..) => {
-                Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
-            }
             Tree::Unary(Unary::Not, inner) => Ok(not(self.tree(inner, &Kind::Bool, at)?)),
             Tree::Unary(Unary::Neg, inner) => {
                 let inner = self.tree(inner, wanted, at)?.within(strength::UNARY);
@@ -240,9 +269,8 @@ impl<'m> Scope<'m> {
             Read::Delay(delay) => self.delay(delay, at),
             Read::Ticks(ticks) => time::literal(self.model, ticks, at.mark).map(Text::word),
             Read::Elapsed(time, step) => self.elapsed(time, step, at),
-            Read::MacroSince(_) | Read::MacroElapsed(..) => {
-                Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
-            }
+            Read::MacroSince(id) => self.macro_since(id, at).map(Text::word),
+            Read::MacroElapsed(time, id) => self.macro_elapsed(time, id, at),
             Read::Blink(blink) => self.blink(blink, at),
             Read::Memory(_) => Err(refuse(at, "an edge or a delay of a property", "leave it out")),
         }
@@ -250,18 +278,18 @@ impl<'m> Scope<'m> {
 
     /// True and false in turn since the step was activated: where in its period the time of the step is.
     fn blink(&mut self, blink: Blink, at: &At<'_>) -> Result<Text, Refused> {
-        let Blinker::Step(step) = blink.of else {
-            return Err(refuse(at, "`blink` since a macro-step", "name one of its steps, `blink(1s, Step)`"));
-        };
         if self.steps.is_some() {
             return Err(refuse(at, "`blink`", "write it as two steps, each with its time"));
         }
         may_read_times(at)?;
         let [on, off] = [blink.on, blink.off].map(|ticks| time::milliseconds(self.model, ticks, at.mark));
         let (on, off) = (on?, off?);
-        let active = self.read(Read::Active(step), at)?;
+        let (active, since) = match blink.of {
+            Blinker::Step(step) => (self.read(Read::Active(step), at)?, self.since(step)),
+            Blinker::Macro(id) => (self.read(Read::MacroActive(id), at)?, self.macro_since(id, at)?),
+        };
         self.blinks = true;
-        let place = Text::order(format!("{MILLISECONDS}({}) MOD {} < {on}", self.since(step), on + off));
+        let place = Text::order(format!("{MILLISECONDS}({since}) MOD {} < {on}", on + off));
         Ok(all(vec![active, place]))
     }
 
@@ -271,7 +299,7 @@ impl<'m> Scope<'m> {
         let reached = Text::order(format!("{} >= {limit}", self.since(step)));
         // The timer of a step that is not active is at zero: only a time that may be zero asks for more.
         let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step))
-            && !matches!(self.moment, Moment::Moved(own) if own != step);
+            && !matches!(self.moment, Moment::Moved(own) if own != Some(step));
         if at_zero && matches!(time, TimeRef::Ticks(1..)) {
             return Ok(reached);
         }
@@ -285,6 +313,31 @@ impl<'m> Scope<'m> {
             Some(steps) => format!("{}.T", steps.names[step.index()]),
             None => format!("{}.ET", self.timer(step)),
         }
+    }
+
+    fn macro_elapsed(&mut self, time: TimeRef, id: MacroId, at: &At<'_>) -> Result<Text, Refused> {
+        let since = self.macro_since(id, at)?;
+        let reached = Text::order(format!("{since} >= {}", self.time(time, at.mark)?));
+        if self.moment == Moment::Called && matches!(time, TimeRef::Ticks(1..)) {
+            return Ok(reached);
+        }
+        let active = self.read(Read::MacroActive(id), at)?;
+        Ok(all(vec![active, reached]))
+    }
+
+    /// How long a macro-step has been active: since the first of its steps was, whichever of them are.
+    fn macro_since(&mut self, id: MacroId, at: &At<'_>) -> Result<String, Refused> {
+        let of = &self.model.macros[id];
+        let left = matches!(self.moment, Moment::Begun(own) if !of.steps.contains(&own));
+        if self.steps.is_some() || left {
+            return Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"));
+        }
+        may_read_times(at)?;
+        if !self.macro_timers.contains_key(&id) {
+            let name = self.names.own(&format!("T_{}", plain(&of.name)));
+            self.macro_timers.insert(id, name);
+        }
+        Ok(format!("{}.ET", self.macro_timers[&id]))
     }
 
     /// Rising or falling.
@@ -309,26 +362,33 @@ impl<'m> Scope<'m> {
     }
 
     fn edge(&mut self, id: EdgeId, at: &At<'_>) -> Result<[String; 3], Refused> {
-        if let Some(known) = self.edges.get(&id) {
-            return Ok(known.clone());
-        }
-        let of = &self.model.edges[id].of;
-        if !reads_inputs_alone(&of.tree) {
+        let model = self.model;
+        let of = &model.edges[id].of;
+        let own = !reads_inputs_alone(&of.tree);
+        if own && !self.can_remember(&of.tree) {
             let why = "an edge of what the chart itself changes";
-            return Err(refuse(at, why, "only edges of inputs are: ask for the step or the value itself"));
+            return Err(refuse(at, why, self.remembers.mend()));
+        }
+        let acts = own && !model.is_grafcet() && matches!(self.moment, Moment::Moved(_));
+        let known = if acts { &self.acting } else { &self.edges };
+        if let Some(known) = known.get(&id) {
+            return Ok(known.clone());
         }
         let base = match &of.tree {
             Tree::Read(Read::Name(name)) => self.name(*name).to_owned(),
+            Tree::Read(Read::Active(step)) => plain(&model.steps[*step].name),
             _ => format!("edge_{}", id.index() + 1),
         };
         let names = ["rises", "falls", "was"].map(|what| self.names.own(&format!("{base}_{what}")));
-        self.edges.insert(id, names.clone());
+        let known = if acts { &mut self.acting } else { &mut self.edges };
+        known.insert(id, names.clone());
         Ok(names)
     }
 
     fn delay(&mut self, id: DelayId, at: &At<'_>) -> Result<Text, Refused> {
-        if !reads_inputs_alone(&self.model.delays[id].of.tree) {
-            return Err(refuse(at, "the delay of what the chart itself changes", "only delays of inputs are"));
+        let of = &self.model.delays[id].of;
+        if !reads_inputs_alone(&of.tree) && !self.can_remember(&of.tree) {
+            return Err(refuse(at, "the delay of what the chart itself changes", self.remembers.mend()));
         }
         if self.steps.is_some() {
             return Err(refuse(at, "a delay", "in SFC of IEC 61131-3 let a step wait for its time"));
@@ -338,6 +398,29 @@ impl<'m> Scope<'m> {
             self.delays.insert(id, name);
         }
         Ok(Text::word(self.delays[&id].clone()))
+    }
+
+    /// Whether what an edge or a delay is of is seen at its moment.
+    fn can_remember(&self, tree: &Tree) -> bool {
+        match self.remembers {
+            Remembers::Inputs => false,
+            Remembers::Steps => {
+                let mut alone = !real::is_rust(tree);
+                tree.each_read(&mut |read| {
+                    alone &= match read {
+                        Read::Name(Name::Input(_) | Name::Param(_))
+                        | Read::Ticks(_)
+                        | Read::Active(_)
+                        | Read::MacroActive(_) => true,
+                        Read::Rising(id) | Read::Falling(id) => self.can_remember(&self.model.edges[id].of.tree),
+                        Read::Delay(id) => self.can_remember(&self.model.delays[id].of.tree),
+                        _ => false,
+                    }
+                });
+                alone
+            }
+            Remembers::All => true,
+        }
     }
 
     /// What an expression is, where that can be told.

@@ -58,7 +58,7 @@ fn begin(model: &Model, form: &str) -> Vec<String> {
 }
 
 fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
-    if !scope.timers.is_empty() {
+    if !scope.timers.is_empty() || !scope.macro_timers.is_empty() {
         lines.push(
             "The timers of steps are called twice in a scan: to read them, and to begin with the step.".to_owned(),
         );
@@ -67,6 +67,9 @@ fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
         lines.push(
             "What blinks stands still where its step is active for more than 24 days: so far a TON counts.".to_owned(),
         );
+    }
+    if scope.tells_times {
+        lines.push("The time of a step that is stored ends at 24 days: so far a TON counts.".to_owned());
     }
     if scope.adds_times {
         lines.push("Sums of times end at the longest time, which in the chart is a time of so many ticks and here of so many milliseconds.".to_owned());

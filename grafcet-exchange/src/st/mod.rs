@@ -3,7 +3,8 @@
 //! - `syntax`, `names`, `time`, `text`, `expr`, `stubs`: programs, names, times and expressions of structured text, and functions to be written
 //! - `operators`, `bits`: operators between two values; those on the bits of integers
 //! - `variants`: lists of variants as numbers
-//! - `frame`: what both forms have in common: declarations, initial values, edges, delays, timers
+//! - `frame`: what both forms have in common: declarations, initial values, timers
+//! - `memory`: edges and delays
 //! - `fits`: what neither form can say
 //! - `action`: what an association is, and what an effect does
 //! - `case`, `flags`: the two forms
@@ -19,6 +20,7 @@ mod flags;
 mod flavour;
 pub(crate) mod frame;
 pub(crate) mod header;
+mod memory;
 pub(crate) mod names;
 mod operators;
 mod real;

@@ -3,7 +3,8 @@
 //! - `flags`, `sfc`: each scan shows what a cycle shows: steps, outputs, variables, calls
 //! - `case`, `sfc`: the number of the step is that of the cycle; what the step does shows one scan later (`shifted`)
 //! - `case` that evolves first, `sfc`: each scan shows what a cycle shows
-//! - `grafcet`: the program is scanned with the same inputs at the same time until nothing changes; then it shows what the cycle shows
+//! - `grafcet`: both are run with the same inputs at the same time until nothing changes; then the program shows what the chart shows, and has called what
+//!   it has called. With flip-flops a cycle in which nothing evolves is one scan, which shows what the cycle shows
 
 #[path = "../../../tests/conformance/src/chart.rs"]
 #[allow(dead_code, unreachable_pub, reason = "a part of another test's crate")]

@@ -5,26 +5,30 @@
 //! - `hierarchy`: what enclosing steps and forcing orders do to it
 //! - `control`: continuous and stored actions of booleans, the standard's `ACTION_CONTROL`
 //! - `runs`: what runs: assignments, blocks, calls
+//! - `remembers`: edges and delays of what the chart itself changes
 
 mod control;
 mod hierarchy;
+mod remembers;
 mod runs;
 mod situation;
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::analysis::hierarchy::initial_situation;
 use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Blinker, Id, Model, PartialId, Place, Read, StepId, TransitionId, Tree};
+use grafcet_compiler::model::{Association, Id, Model, PartialId, Place, StepId, TransitionId};
 use grafcet_compiler::sorted::Set;
 
+use self::remembers::OWN_MEMORY;
 use super::action::{Role, Written, places, reads, role, shared_calls, written};
-use super::expr::{At, Kind, Moment, Scope, plain};
+use super::expr::{At, Kind, Moment, Remembers, Scope, plain};
 use super::frame::{self, Frame};
 use super::names::Names;
 use super::syntax::{Program, Statement, Variable};
-use super::text::{Text, all, not};
+use super::text::{Text, all, any, not};
 use super::time::LONGEST;
 use super::{Options, header};
 use crate::Refused;
@@ -70,8 +74,13 @@ struct Flags<'m> {
     /// The input that begins anew.
     init: String,
     initial: Set<StepId>,
-    /// By step, that it was active before the scan, where somebody asks.
-    was: BTreeMap<StepId, String>,
+    /// By step, that it was active before the scan.
+    was_names: Vec<String>,
+    /// The steps of which somebody asks that.
+    was: BTreeSet<StepId>,
+    /// That edges have been looked at before, and that the scan before has left everything as it was, where a `grafcet` asks for them.
+    looked: Option<String>,
+    settled: Option<String>,
     /// By partial grafcet, that an order holds it.
     frozen: BTreeMap<PartialId, String>,
     /// By step, that it is activated in this scan, where somebody asks.
@@ -90,7 +99,9 @@ impl<'m> Flags<'m> {
         let steps = model.steps.values().map(|step| scope.names.own(&format!("SR_{}", plain(&step.name)))).collect();
         let transitions =
             (1..=model.transitions.len()).map(|number| scope.names.own(&format!("Tr_{number}"))).collect();
+        let was_names = model.steps.values().map(|step| scope.names.own(&format!("Was_{}", plain(&step.name)))).collect();
         let started = scope.names.own("Started");
+        scope.remembers = Remembers::All;
         Self {
             model,
             scope,
@@ -100,7 +111,10 @@ impl<'m> Flags<'m> {
             started,
             init,
             initial: initial_situation(model),
-            was: BTreeMap::new(),
+            was_names,
+            was: BTreeSet::new(),
+            looked: None,
+            settled: None,
             frozen: BTreeMap::new(),
             activated: BTreeMap::new(),
             deactivated: BTreeMap::new(),
@@ -131,6 +145,8 @@ impl<'m> Flags<'m> {
         transitions.extend(self.transitions()?);
         let actions = self.actions(written)?;
         let situation = self.situation();
+        let [acting, own] = self.memory()?;
+        let ended = self.ended();
         let restarts = self.restarts();
         let (changes, moved) = (self.changes(), self.moved_changes());
         let was = self.remembered();
@@ -155,16 +171,21 @@ impl<'m> Flags<'m> {
         ]);
         part(body, "Edges and delays of inputs", before);
         part(body, "The times of steps, to be read", timers.clone());
+        let [own_first, own_behind] = self.around_following(own)?;
+        part(body, OWN_MEMORY, own_first);
         part(body, "What follows the situation", following);
+        part(body, OWN_MEMORY, own_behind);
         part(body, "What actions read as it was before the scan", copies);
         part(body, "Transitions: predecessor and condition", transitions);
         part(body, "What is activated and deactivated", changes);
         part(body, "Steps before the scan", was);
         part(body, "Steps: set by what leads to them, reset by what leaves them", situation);
         part(body, "What has been activated and deactivated by transitions, orders and enclosing steps", moved);
+        part(body, "A step that is entered anew begins its time anew", restarts);
+        part(body, "Edges that actions ask for, of what there is behind the evolution", acting);
         part(body, "Actions", actions);
-        part(body, "The times of steps, which begin with the step", restarts.into_iter().chain(timers).collect());
-        body.push(Statement::assign(self.started.clone(), "TRUE"));
+        part(body, "The times of steps, which begin with the step", timers);
+        body.extend(ended);
         program.header = header::flags(model, &self.scope);
         program.renamed = self.scope.names.renamed.into_iter().collect();
         program.stubs = self.scope.stubs;
@@ -185,6 +206,10 @@ impl<'m> Flags<'m> {
         }
         for effect in self.model.transitions.values().flat_map(|transition| &transition.clearing) {
             read.extend(reads(effect));
+        }
+        // What is stored tells whether a scan has left everything as it was.
+        if self.samples_once() {
+            read.extend(written.iter().filter(|(_, how)| !how.continuous).map(|(place, _)| *place));
         }
         // In an `sfc` a variable that one action writes the next one sees.
         read.retain(|place| {
@@ -229,13 +254,19 @@ impl<'m> Flags<'m> {
         Ok(statements)
     }
 
-    /// The timers of steps, which run as long as these are active.
+    /// The timers of steps and of macro-steps, which run as long as these are active.
     fn timers(&mut self) -> Vec<Statement> {
         let mut statements = Vec::new();
         for (step, timer) in self.scope.timers.clone() {
             self.frame.timer(&timer, &format!("how long {} is active", plain(&self.model.steps[step].name)));
             let active = &self.steps[step.index()];
             statements.push(Statement::Call(format!("{timer}(IN := {active}, PT := {LONGEST})")));
+        }
+        for (id, timer) in self.scope.macro_timers.clone() {
+            let of = &self.model.macros[id];
+            self.frame.timer(&timer, &format!("how long {} is active", plain(&of.name)));
+            let active = any(of.steps.iter().map(|step| self.flag(*step)).collect());
+            statements.push(Statement::Call(format!("{timer}(IN := {}, PT := {LONGEST})", active.text)));
         }
         statements
     }
@@ -267,35 +298,46 @@ impl<'m> Flags<'m> {
     ) -> Result<T, Refused> {
         let (steps, before) = (self.steps.clone(), self.before.clone());
         let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
-        self.scope.moment = Moment::Moved(association.step);
+        self.scope.moment = Moment::Moved(Some(association.step));
         let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark: association.mark });
         self.scope.moment = Moment::Called;
         seen
     }
 
-    /// What an action sees that runs at an instant: no steps and no times, which are others before and after.
+    /// What an action sees that runs at an instant, of a step or of a transition: in an `sfc` what there is behind the evolution, in a `grafcet` what
+    /// there was before it.
     fn instant<T>(
         &mut self,
+        step: Option<StepId>,
         mark: Mark,
         see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
     ) -> Result<T, Refused> {
         let before = self.before.clone();
-        see(&mut self.scope, &At { active: &|_| None, before: &before, times: false, mark })
+        if !self.model.is_grafcet() {
+            let steps = self.steps.clone();
+            let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
+            self.scope.moment = Moment::Moved(step);
+            let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark });
+            self.scope.moment = Moment::Called;
+            return seen;
+        }
+        let asked = RefCell::new(std::mem::take(&mut self.was));
+        let active = |step: StepId| {
+            asked.borrow_mut().insert(step);
+            let was = Text::word(&*self.was_names[step.index()]);
+            // The activation of the initial situation begins from nothing.
+            let begun = self.initial.contains(&step).then(|| Text::word(&*self.started));
+            Some(all(begun.into_iter().chain([was]).collect()))
+        };
+        let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark });
+        self.was = asked.into_inner();
+        seen
     }
 
     /// The flag of an association: its step, and its condition.
     fn input(&mut self, association: &Association) -> Result<Text, Refused> {
         let flag = self.flag(association.step);
         let Some(condition) = &association.condition else { return Ok(flag) };
-        if reads_step_time(&condition.tree, association.step)
-            && !self.model.is_grafcet()
-            && self.may_reenter(association.step)
-        {
-            return Err(Refused::at(
-                association.mark,
-                "a step that can be entered anew has two times in that scan, of which the program would read the wrong one: leave it by way of another step",
-            ));
-        }
         let stable = self.model.is_grafcet();
         let nothing = BTreeMap::new();
         let condition = self.after(association, |scope, at| {
@@ -304,18 +346,6 @@ impl<'m> Flags<'m> {
         })?;
         Ok(all(vec![flag, condition]))
     }
-}
-
-fn reads_step_time(tree: &Tree, step: StepId) -> bool {
-    let mut reads = false;
-    tree.each_read(&mut |read| {
-        reads |= match read {
-            Read::Since(of) | Read::Elapsed(_, of) => of == step,
-            Read::Blink(blink) => blink.of == Blinker::Step(step),
-            _ => false,
-        }
-    });
-    reads
 }
 
 /// A part of the program under a heading, where there is something.

@@ -102,10 +102,10 @@ impl Flags<'_> {
     ) -> Result<Statement, Refused> {
         let mut parts = vec![event];
         if let Some(condition) = &association.condition {
-            let text = self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
+            let text = self.instant(Some(association.step), association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
             parts.push(self.hoisted(text, association, conditions));
         }
-        let done = self.instant(association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        let done = self.instant(Some(association.step), association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 
@@ -238,7 +238,7 @@ impl Flags<'_> {
                 Role::Set(place) | Role::Reset(place) => {
                     let mut parts = vec![self.activated(association.step)];
                     if let Some(condition) = &association.condition {
-                        parts.push(self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+                        parts.push(self.instant(Some(association.step), association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
                     }
                     let value = if association.qualifier == Qualifier::S { "TRUE" } else { "FALSE" };
                     stored.push(Statement::when(
@@ -306,7 +306,7 @@ impl Flags<'_> {
             }
             let mut done = Vec::new();
             for effect in &transition.clearing {
-                done.extend(self.instant(transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
+                done.extend(self.instant(None, transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
             }
             if !done.is_empty() {
                 // An `any` clears as a whole.
@@ -346,9 +346,9 @@ impl Flags<'_> {
             any(vec![was, self.deactivated(association.step)])
         }];
         for condition in association.event.iter().chain(&association.condition) {
-            parts.push(self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+            parts.push(self.instant(Some(association.step), association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
         }
-        let done = self.instant(association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        let done = self.instant(Some(association.step), association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 }
