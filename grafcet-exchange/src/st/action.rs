@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use grafcet_compiler::model::{
-    ActionId, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Statement as Rust, Tree,
+    ActionId, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Tree,
 };
 
 use super::expr::{At, Kind, Scope, kind, plain};
 use super::names::Names;
 use super::syntax::{Statement, Stub, Variable};
-use super::variants;
+use super::{own_writes, variants};
 use crate::Refused;
 
 /// What an association is for a program.
@@ -116,29 +116,9 @@ pub(crate) fn run(
                 );
                 return Err(Refused::at(at.mark, message));
             };
-            // It sees its own writes.
-            let mut before = at.before.clone();
-            before.retain(|place, _| !code.writes.contains(place));
-            block(scope, statements, &At { before: &before, ..*at })
+            own_writes::block(scope, code, statements, at)
         }
     }
-}
-
-fn block(scope: &mut Scope<'_>, statements: &[Rust], at: &At<'_>) -> Result<Vec<Statement>, Refused> {
-    let mut done = Vec::new();
-    for statement in statements {
-        done.push(match statement {
-            Rust::Assign(place, value) => {
-                let value = valued(scope, *place, value, at)?;
-                Statement::assign(scope.place(*place), value)
-            }
-            Rust::If(condition, then, otherwise) => {
-                let condition = scope.tree(condition, &super::expr::Kind::Bool, at)?.text;
-                Statement::If(vec![(condition, block(scope, then, at)?)], block(scope, otherwise, at)?)
-            }
-        });
-    }
-    Ok(done)
 }
 
 /// The value that is assigned to a place.
@@ -147,7 +127,7 @@ pub(crate) fn assigned(scope: &mut Scope<'_>, place: Place, value: &Expr, at: &A
 }
 
 /// The same of a tree. Of listed variants it is a number, or what has the same list.
-fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Result<String, Refused> {
+pub(super) fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Result<String, Refused> {
     let wanted = kind_of(scope.model, place, at)?;
     if let Some(listed) = scope.model.variants_of(place.into()) {
         if let Some(number) = variants::listed_value(listed, value) {
@@ -165,7 +145,7 @@ fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Res
     Ok(text)
 }
 
-fn kind_of(model: &Model, place: Place, at: &At<'_>) -> Result<super::expr::Kind, Refused> {
+fn kind_of(model: &Model, place: Place, at: &At<'_>) -> Result<Kind, Refused> {
     let name = Name::from(place);
     super::expr::kind_of(model, name)
         .ok_or_else(|| Refused::at(at.mark, format!("`{}` is of no type of structured text", model.place_name(place))))

@@ -1,6 +1,6 @@
 //! Expressions, in the words of structured text.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
@@ -9,7 +9,7 @@ use grafcet_compiler::model::{
 };
 
 use super::names::Names;
-use super::syntax::Stub;
+use super::syntax::{Stub, Variable};
 use super::text::{Text, all, any, not, strength};
 use super::{real, time};
 use crate::Refused;
@@ -108,6 +108,8 @@ pub(crate) enum Moment {
     Called,
     /// Steps but this one may have been left since then: these timers show the times that they had reached.
     Moved(Option<StepId>),
+    /// The same, of what runs last of all steps that are left: of those that are entered anew it asks for the time that they had reached.
+    Leaving,
     /// They have been called after the evolution, of an action of this step: those of what has been left have begun anew.
     Begun(StepId),
 }
@@ -117,6 +119,13 @@ pub(crate) struct Scope<'m> {
     pub(crate) model: &'m Model,
     pub(crate) names: Names,
     values: BTreeMap<Name, String>,
+    /// What several associations write.
+    pub(crate) shared: BTreeSet<Place>,
+    /// What blocks have copies of.
+    pub(crate) copies: Vec<Variable>,
+    /// Steps that can be left and entered at once, and the names of the times that they had reached.
+    pub(crate) reentered: BTreeSet<StepId>,
+    pub(crate) reached: BTreeMap<StepId, String>,
     /// The timers of steps.
     pub(crate) timers: BTreeMap<StepId, String>,
     pub(crate) macro_timers: BTreeMap<MacroId, String>,
@@ -162,6 +171,10 @@ impl<'m> Scope<'m> {
             model,
             names,
             values: BTreeMap::new(),
+            shared: BTreeSet::new(),
+            copies: Vec::new(),
+            reentered: BTreeSet::new(),
+            reached: BTreeMap::new(),
             timers: BTreeMap::new(),
             macro_timers: BTreeMap::new(),
             edges: BTreeMap::new(),
@@ -299,7 +312,8 @@ impl<'m> Scope<'m> {
         let reached = Text::order(format!("{} >= {limit}", self.since(step)));
         // The timer of a step that is not active is at zero: only a time that may be zero asks for more.
         let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step))
-            && !matches!(self.moment, Moment::Moved(own) if own != Some(step));
+            && !matches!(self.moment, Moment::Moved(own) if own != Some(step))
+            && self.moment != Moment::Leaving;
         if at_zero && matches!(time, TimeRef::Ticks(1..)) {
             return Ok(reached);
         }
@@ -311,6 +325,14 @@ impl<'m> Scope<'m> {
     fn since(&mut self, step: StepId) -> String {
         match &self.steps {
             Some(steps) => format!("{}.T", steps.names[step.index()]),
+            None if self.moment == Moment::Leaving && self.reentered.contains(&step) => {
+                let timer = self.timer(step);
+                if !self.reached.contains_key(&step) {
+                    let name = self.names.own(&format!("{timer}_reached"));
+                    self.reached.insert(step, name);
+                }
+                self.reached[&step].clone()
+            }
             None => format!("{}.ET", self.timer(step)),
         }
     }
@@ -369,7 +391,7 @@ impl<'m> Scope<'m> {
             let why = "an edge of what the chart itself changes";
             return Err(refuse(at, why, self.remembers.mend()));
         }
-        let acts = own && !model.is_grafcet() && matches!(self.moment, Moment::Moved(_));
+        let acts = own && !model.is_grafcet() && matches!(self.moment, Moment::Moved(_) | Moment::Leaving);
         let known = if acts { &self.acting } else { &self.edges };
         if let Some(known) = known.get(&id) {
             return Ok(known.clone());

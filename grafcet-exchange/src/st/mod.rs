@@ -6,7 +6,7 @@
 //! - `frame`: what both forms have in common: declarations, initial values, timers
 //! - `memory`: edges and delays
 //! - `fits`: what neither form can say
-//! - `action`: what an association is, and what an effect does
+//! - `action`, `own_writes`: what an association is, and what an effect does; what a block does
 //! - `case`, `flags`: the two forms
 //! - `header`: what the program says of itself
 //! - `flavour`: the program as CODESYS and TIA Portal take it
@@ -23,6 +23,7 @@ pub(crate) mod header;
 mod memory;
 pub(crate) mod names;
 mod operators;
+mod own_writes;
 mod real;
 mod stubs;
 pub(crate) mod syntax;

@@ -203,7 +203,7 @@ impl Pair<'_> {
     /// Of the last scan.
     fn called(&self) -> Vec<(String, Vec<i128>)> {
         let called = self.machine.calls.iter().map(|call| {
-            let arguments: Vec<i128> = call.arguments.iter().map(|value| value.number()).collect();
+            let arguments: Vec<i128> = call.arguments.iter().map(|value| self.in_ticks(*value)).collect();
             (call.instance.clone(), arguments)
         });
         called.collect()
@@ -252,10 +252,14 @@ impl Pair<'_> {
 
     /// What the program shows, times in ticks.
     pub(crate) fn shown(&self, name: Name) -> Result<i128, String> {
-        Ok(match self.machine.get(&self.named(self.model.value_name(name)))? {
+        self.machine.get(&self.named(self.model.value_name(name))).map(|value| self.in_ticks(value))
+    }
+
+    fn in_ticks(&self, value: Value) -> i128 {
+        match value {
             Value::Time(ms) => i128::from(ms * 1_000_000 / self.model.clock_nanos),
             other => other.number(),
-        })
+        }
     }
 
     pub(crate) fn expected(&self, name: Name) -> i128 {

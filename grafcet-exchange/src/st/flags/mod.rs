@@ -42,7 +42,7 @@ pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<R
         shared_calls(model, &mut refused);
     }
     control::refused(model, &written, &mut refused);
-    runs::refused(model, &written, is_single(model), &mut refused);
+    runs::refused(model, is_single(model), &mut refused);
     if !refused.is_empty() {
         return Err(refused);
     }
@@ -133,6 +133,10 @@ impl<'m> Flags<'m> {
 
     fn program(mut self, written: &BTreeMap<Place, Written>) -> Result<Program, Refused> {
         let model = self.model;
+        self.scope.shared = shared(model);
+        if !model.is_grafcet() {
+            self.scope.reentered = model.steps.ids().filter(|step| self.may_reenter(*step)).collect();
+        }
         let name = self.scope.names.of_chart(&plain(&model.name));
         self.copies(written);
         for id in model.steps.ids() {
@@ -143,7 +147,7 @@ impl<'m> Flags<'m> {
         let following = self.following()?;
         let mut transitions = self.frozen();
         transitions.extend(self.transitions()?);
-        let actions = self.actions(written)?;
+        let [instants, actions] = self.actions(written)?;
         let situation = self.situation();
         let [acting, own] = self.memory()?;
         let ended = self.ended();
@@ -159,6 +163,7 @@ impl<'m> Flags<'m> {
         program.inputs.push(Variable::new(&*self.init, "BOOL").note("back into the initial situation"));
         let mut frame = std::mem::take(&mut self.frame);
         frame::declare(&mut self.scope, &mut program, &mut frame, |place| written.contains_key(&place))?;
+        program.variables.append(&mut self.scope.copies);
         for (instance, block) in self.scope.instances.values() {
             program.variables.push(Variable::new(instance, block));
         }
@@ -183,8 +188,16 @@ impl<'m> Flags<'m> {
         part(body, "What has been activated and deactivated by transitions, orders and enclosing steps", moved);
         part(body, "A step that is entered anew begins its time anew", restarts);
         part(body, "Edges that actions ask for, of what there is behind the evolution", acting);
-        part(body, "Actions", actions);
-        part(body, "The times of steps, which begin with the step", timers);
+        // In a `grafcet` what lasts sees the times of the situation that has been reached.
+        let begin = "The times of steps, which begin with the step";
+        if model.is_grafcet() && !timers.is_empty() {
+            part(body, "Actions at an instant", instants);
+            part(body, begin, timers);
+            part(body, "Actions", actions);
+        } else {
+            part(body, "Actions", instants.into_iter().chain(actions).collect());
+            part(body, begin, timers);
+        }
         body.extend(ended);
         program.header = header::flags(model, &self.scope);
         program.renamed = self.scope.names.renamed.into_iter().collect();
@@ -275,7 +288,12 @@ impl<'m> Flags<'m> {
     fn restarts(&mut self) -> Vec<Statement> {
         let mut statements = Vec::new();
         for (step, timer) in self.scope.timers.clone() {
-            if !self.model.is_grafcet() && self.may_reenter(step) {
+            if self.scope.reentered.contains(&step) {
+                if let Some(reached) = self.scope.reached.get(&step) {
+                    let note = format!("the time that {} had reached", plain(&self.model.steps[step].name));
+                    self.frame.variables.push(Variable::new(&**reached, "TIME").note(note));
+                    statements.push(Statement::assign(&**reached, format!("{timer}.ET")));
+                }
                 let again = self.again(step);
                 statements.push(Statement::when(
                     again.text,
@@ -298,17 +316,20 @@ impl<'m> Flags<'m> {
     ) -> Result<T, Refused> {
         let (steps, before) = (self.steps.clone(), self.before.clone());
         let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
-        self.scope.moment = Moment::Moved(Some(association.step));
+        // In a `grafcet` the timers have been called anew by then.
+        if !self.model.is_grafcet() {
+            self.scope.moment = Moment::Moved(Some(association.step));
+        }
         let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark: association.mark });
         self.scope.moment = Moment::Called;
         seen
     }
 
-    /// What an action sees that runs at an instant, of a step or of a transition: in an `sfc` what there is behind the evolution, in a `grafcet` what
-    /// there was before it.
+    /// What an action sees that runs at an instant: in an `sfc` what there is behind the evolution, with these times, in a `grafcet` what there was
+    /// before it.
     fn instant<T>(
         &mut self,
-        step: Option<StepId>,
+        moment: Moment,
         mark: Mark,
         see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
     ) -> Result<T, Refused> {
@@ -316,7 +337,7 @@ impl<'m> Flags<'m> {
         if !self.model.is_grafcet() {
             let steps = self.steps.clone();
             let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
-            self.scope.moment = Moment::Moved(step);
+            self.scope.moment = moment;
             let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark });
             self.scope.moment = Moment::Called;
             return seen;
@@ -346,6 +367,19 @@ impl<'m> Flags<'m> {
         })?;
         Ok(all(vec![flag, condition]))
     }
+}
+
+/// What several associations and transitions write.
+fn shared(model: &Model) -> BTreeSet<Place> {
+    let associations = model.associations.values().map(|association| association.effect.writes());
+    let clearing = model.transitions.values().flat_map(|one| &one.clearing).map(|effect| effect.writes());
+    let (mut once, mut shared) = (BTreeSet::new(), BTreeSet::new());
+    for place in associations.chain(clearing).flatten() {
+        if !once.insert(*place) {
+            shared.insert(*place);
+        }
+    }
+    shared
 }
 
 /// A part of the program under a heading, where there is something.

@@ -7,13 +7,13 @@ use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
 
 use super::Flags;
 use crate::Refused;
-use crate::st::action::{Phase, Role, Written, places, reads, role, run};
-use crate::st::expr::{At, Kind, plain};
+use crate::st::action::{Phase, Role, Written, places, role, run};
+use crate::st::expr::{At, Kind, Moment, plain};
 use crate::st::syntax::{Statement, Variable};
 use crate::st::text::{Text, all, any, not};
 
 /// What has no translation.
-pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, single: bool, refused: &mut Vec<Refused>) {
+pub(super) fn refused(model: &Model, single: bool, refused: &mut Vec<Refused>) {
     let calls = |association: &Association| match &association.effect {
         Effect::Call(action, _) if !model.is_grafcet() => Some(*action),
         _ => None,
@@ -27,22 +27,14 @@ pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, single:
                 refused.push(Refused::at(association.mark, format!("`{name}` is called by several steps, and the chart makes one call of them: structured text of this form has one step for an action")));
             }
         }
-        let Effect::Block(code) = &association.effect else { continue };
-        let own = |place: &&Place| reads(&association.effect).contains(place) && written.contains_key(place);
-        for place in code.writes.iter().filter(own) {
-            let output = matches!(place, Place::Output(_)) || model.is_grafcet();
-            if output && others().any(|other| other.effect.writes().contains(place)) {
-                let name = model.place_name(*place);
-                refused.push(Refused::at(association.mark, format!("this block reads `{name}`, which others write, too, as it was before the scan: structured text of this form cannot; use a variable")));
-            }
-        }
     }
 }
 
 impl Flags<'_> {
-    /// All actions in their order: what ends with its step, what begins, the rest.
-    pub(super) fn actions(&mut self, written: &BTreeMap<Place, Written>) -> Result<Vec<Statement>, Refused> {
-        if self.model.is_grafcet() { self.of_grafcet(written) } else { self.of_sfc() }
+    /// All actions in their order: those of a `grafcet` that are done at an instant, and the rest; those of an `sfc`, what ends with its step, what
+    /// begins, the rest.
+    pub(super) fn actions(&mut self, written: &BTreeMap<Place, Written>) -> Result<[Vec<Statement>; 2], Refused> {
+        if self.model.is_grafcet() { self.of_grafcet(written) } else { self.of_sfc().map(|all| [Vec::new(), all]) }
     }
 
     fn of_sfc(&mut self) -> Result<Vec<Statement>, Refused> {
@@ -100,12 +92,14 @@ impl Flags<'_> {
         event: Text,
         conditions: &mut Vec<Statement>,
     ) -> Result<Statement, Refused> {
+        let leaves = association.qualifier == Qualifier::P0;
+        let moment = if leaves { Moment::Leaving } else { Moment::Moved(Some(association.step)) };
         let mut parts = vec![event];
         if let Some(condition) = &association.condition {
-            let text = self.instant(Some(association.step), association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
+            let text = self.instant(moment, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
             parts.push(self.hoisted(text, association, conditions));
         }
-        let done = self.instant(Some(association.step), association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        let done = self.instant(moment, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 
@@ -132,16 +126,20 @@ impl Flags<'_> {
         let ran = self.scope.names.own("Ran_1");
         self.frame.remember(Variable::new(&*ran, "BOOL").init("FALSE").note("it ran in the scan before"));
         let stable = self.model.is_grafcet();
-        let mut phase = |phase| {
+        let mut phase = |phase, leaves: bool| {
             // A call of a `grafcet` sees what the evolution has led to.
             let nothing = BTreeMap::new();
             let sees = |scope: &mut _, at: &At<'_>| {
                 let before = if stable { &nothing } else { at.before };
-                run(scope, &association.effect, phase, &At { times: false, before, ..*at })
+                run(scope, &association.effect, phase, &At { before, ..*at })
             };
+            // Where the step is left its time is the one that it had reached.
+            if leaves && !self.model.is_grafcet() {
+                return self.instant(Moment::Leaving, association.mark, sees);
+            }
             self.after(association, sees)
         };
-        let [first, repeated, last] = [phase(Phase::First)?, phase(Phase::Repeated)?, phase(Phase::Final)?];
+        let [first, repeated, last] = [phase(Phase::First, false)?, phase(Phase::Repeated, false)?, phase(Phase::Final, false)?];
         // It ends with its step, or else among the rest.
         let mut ends = Some(vec![Text::word(&*ran)]);
         if let Some([is_left, stays]) = left_or_not {
@@ -149,7 +147,7 @@ impl Flags<'_> {
             if association.qualifier == Qualifier::D {
                 over.push(not(Text::word(&*runs)));
             }
-            left.push(Statement::when(all(over).text, last.clone()));
+            left.push(Statement::when(all(over).text, phase(Phase::Final, true)?));
             // Of N and D the condition alone ends it while the step is active.
             let alone = association.condition.is_some() || association.qualifier == Qualifier::L;
             ends = alone.then(|| vec![Text::word(&*ran), stays]);
@@ -196,7 +194,7 @@ impl Flags<'_> {
         self.single && bare && !written[&place].otherwise
     }
 
-    fn of_grafcet(&mut self, written: &BTreeMap<Place, Written>) -> Result<Vec<Statement>, Refused> {
+    fn of_grafcet(&mut self, written: &BTreeMap<Place, Written>) -> Result<[Vec<Statement>; 2], Refused> {
         let model = self.model;
         let (mut stored, mut rest, mut calls) = (Vec::new(), self.following()?, Vec::new());
         let mut continuous: BTreeSet<Place> = in_order(model).into_iter().map(Place::Var).collect();
@@ -238,7 +236,7 @@ impl Flags<'_> {
                 Role::Set(place) | Role::Reset(place) => {
                     let mut parts = vec![self.activated(association.step)];
                     if let Some(condition) = &association.condition {
-                        parts.push(self.instant(Some(association.step), association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+                        parts.push(self.instant(Moment::Called, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
                     }
                     let value = if association.qualifier == Qualifier::S { "TRUE" } else { "FALSE" };
                     stored.push(Statement::when(
@@ -249,7 +247,8 @@ impl Flags<'_> {
             }
         }
         stored.extend(self.clearing()?);
-        Ok(stored.into_iter().chain(rest).chain(calls).collect())
+        rest.extend(calls);
+        Ok([stored, rest])
     }
 
     /// One continuous call of an action by several associations: the last in the source of those that are active gives the arguments, and at the end
@@ -270,7 +269,7 @@ impl Flags<'_> {
             let told =
                 (format!("phase := {phase}"), Variable::new("phase", "INT").note("0 first, 1 repeated, 2 final"));
             calls.push(self.after(association, |scope, at| {
-                scope.call(action, arguments, told, &At { times: false, before: &BTreeMap::new(), ..*at })
+                scope.call(action, arguments, told, &At { before: &BTreeMap::new(), ..*at })
             })?);
         }
         let [on, before] = [&runs, &ran].map(|name| Text::word(&**name));
@@ -306,7 +305,7 @@ impl Flags<'_> {
             }
             let mut done = Vec::new();
             for effect in &transition.clearing {
-                done.extend(self.instant(None, transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
+                done.extend(self.instant(Moment::Called, transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
             }
             if !done.is_empty() {
                 // An `any` clears as a whole.
@@ -346,9 +345,9 @@ impl Flags<'_> {
             any(vec![was, self.deactivated(association.step)])
         }];
         for condition in association.event.iter().chain(&association.condition) {
-            parts.push(self.instant(Some(association.step), association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+            parts.push(self.instant(Moment::Called, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
         }
-        let done = self.instant(Some(association.step), association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        let done = self.instant(Moment::Called, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 }
