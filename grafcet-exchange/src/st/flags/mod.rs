@@ -89,6 +89,10 @@ struct Flags<'m> {
     /// Under which names actions read what was there before the scan.
     before: BTreeMap<Place, String>,
     single: bool,
+    /// `sfc`: what is asked before the first action runs.
+    conditions: Vec<Statement>,
+    /// `sfc`: the variables that actions write.
+    changed: BTreeSet<Place>,
 }
 
 impl<'m> Flags<'m> {
@@ -120,6 +124,14 @@ impl<'m> Flags<'m> {
             deactivated: BTreeMap::new(),
             before: BTreeMap::new(),
             single: is_single(model),
+            conditions: Vec::new(),
+            changed: model
+                .associations
+                .values()
+                .flat_map(|one| one.effect.writes())
+                .copied()
+                .filter(|place| !model.is_grafcet() && matches!(place, Place::Var(_)))
+                .collect(),
         }
     }
 

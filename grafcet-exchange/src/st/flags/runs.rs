@@ -39,50 +39,29 @@ impl Flags<'_> {
 
     fn of_sfc(&mut self) -> Result<Vec<Statement>, Refused> {
         let model = self.model;
-        let (mut conditions, mut left, mut entered, mut rest) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut left, mut entered, mut rest) = (Vec::new(), Vec::new(), Vec::new());
         let mut controlled = BTreeSet::new();
         for association in model.associations.values() {
             match role(model, association)? {
                 Role::Continuous(place) | Role::Set(place) | Role::Reset(place) => {
                     if controlled.insert(place) {
-                        self.no_old_variables(place)?;
                         rest.extend(self.control(place)?);
                     }
                 }
                 Role::Deactivation => {
                     let event = self.deactivated(association.step);
-                    left.push(self.once(association, event, &mut conditions)?);
+                    left.push(self.once(association, event)?);
                 }
                 Role::Activation => {
                     let event = self.activated(association.step);
-                    entered.push(self.once(association, event, &mut conditions)?);
+                    entered.push(self.once(association, event)?);
                 }
-                Role::Body => self.body(association, &mut conditions, &mut left, &mut rest)?,
+                Role::Body => self.body(association, &mut left, &mut rest)?,
                 Role::Event => {}
             }
         }
+        let conditions = std::mem::take(&mut self.conditions);
         Ok(conditions.into_iter().chain(left).chain(entered).chain(rest).collect())
-    }
-
-    /// Conditions are read before the first action runs.
-    fn no_old_variables(&self, place: Place) -> Result<(), Refused> {
-        let mut changed: Vec<Place> = Vec::new();
-        for association in self.model.associations.values() {
-            changed.extend(association.effect.writes().iter().filter(|place| matches!(place, Place::Var(_))));
-        }
-        for association in super::control::controls(self.model, place) {
-            let Some(condition) = &association.condition else { continue };
-            if let Some(read) = places(&condition.tree).into_iter().find(|place| changed.contains(place)) {
-                let name = self.model.place_name(read);
-                return Err(Refused::at(
-                    association.mark,
-                    format!(
-                        "the condition reads `{name}` as it was before the actions of the scan, which write it: structured text of this form cannot; ask for it in a transition"
-                    ),
-                ));
-            }
-        }
-        Ok(())
     }
 
     /// P1 and P0.
@@ -90,27 +69,26 @@ impl Flags<'_> {
         &mut self,
         association: &Association,
         event: Text,
-        conditions: &mut Vec<Statement>,
     ) -> Result<Statement, Refused> {
         let leaves = association.qualifier == Qualifier::P0;
         let moment = if leaves { Moment::Leaving } else { Moment::Moved(Some(association.step)) };
         let mut parts = vec![event];
         if let Some(condition) = &association.condition {
             let text = self.instant(moment, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
-            parts.push(self.hoisted(text, association, conditions));
+            parts.push(self.hoisted(text, association));
         }
         let done = self.instant(moment, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 
     /// A condition that reads what actions write is read before them; a `grafcet` has copies of what was there before.
-    fn hoisted(&mut self, condition: Text, association: &Association, conditions: &mut Vec<Statement>) -> Text {
+    pub(super) fn hoisted(&mut self, condition: Text, association: &Association) -> Text {
         let reads = association.condition.iter().any(|condition| !places(&condition.tree).is_empty());
         if !reads || self.model.is_grafcet() {
             return condition;
         }
         let name = self.local("If_1");
-        conditions.push(Statement::assign(&*name, condition.text));
+        self.conditions.push(Statement::assign(&*name, condition.text));
         Text::word(name)
     }
 
@@ -118,11 +96,10 @@ impl Flags<'_> {
     fn body(
         &mut self,
         association: &Association,
-        conditions: &mut Vec<Statement>,
         left: &mut Vec<Statement>,
         rest: &mut Vec<Statement>,
     ) -> Result<(), Refused> {
-        let (runs, left_or_not) = self.driven(association, conditions)?;
+        let (runs, left_or_not) = self.driven(association)?;
         let ran = self.scope.names.own("Ran_1");
         self.frame.remember(Variable::new(&*ran, "BOOL").init("FALSE").note("it ran in the scan before"));
         let stable = self.model.is_grafcet();
@@ -164,17 +141,17 @@ impl Flags<'_> {
     fn driven(
         &mut self,
         association: &Association,
-        conditions: &mut Vec<Statement>,
     ) -> Result<(String, Option<[Text; 2]>), Refused> {
         let (flag, qualifier) = (self.flag(association.step), association.qualifier);
         let with_step = Some([not(flag.clone()), flag]);
         if qualifier == Qualifier::N {
             let input = self.input(association)?;
-            return Ok((self.hoisted(input, association, conditions).text, with_step));
+            return Ok((self.hoisted(input, association).text, with_step));
         }
         // Its action control is one of its own, asked before the first action runs.
         let name = self.stored("Q_1");
-        conditions.extend(self.controlled(name.clone(), &[association])?);
+        let asked = self.controlled(name.clone(), &[association])?;
+        self.conditions.extend(asked);
         let left_or_not = match qualifier {
             // A delay begins anew with a step that is entered anew.
             Qualifier::D if self.may_reenter(association.step) => {
@@ -214,9 +191,8 @@ impl Flags<'_> {
                     }
                 }
                 Role::Body => {
-                    let mut none = Vec::new();
                     let (mut left, mut now) = (Vec::new(), Vec::new());
-                    self.body(association, &mut none, &mut left, &mut now)?;
+                    self.body(association, &mut left, &mut now)?;
                     calls.extend(left.into_iter().chain(now));
                 }
                 Role::Event => stored.push(self.event(association)?),
@@ -226,7 +202,7 @@ impl Flags<'_> {
                     } else {
                         self.deactivated(association.step)
                     };
-                    stored.push(self.once(association, event, &mut Vec::new())?);
+                    stored.push(self.once(association, event)?);
                 }
                 Role::Set(place) | Role::Reset(place) if self.is_flip_flop(place, written) => {
                     if continuous.insert(place) {
