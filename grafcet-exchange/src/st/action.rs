@@ -30,6 +30,8 @@ pub(crate) enum Role {
     /// What runs in each scan in which its qualifier drives it: an assignment to a variable, a block, a call; of an `sfc` that of an output, too,
     /// after another qualifier than N.
     Body,
+    /// It has no effect.
+    Nothing,
 }
 
 /// What it is; refused where neither form knows it.
@@ -42,7 +44,9 @@ pub(crate) fn role(model: &Model, association: &Association) -> Result<Role, Ref
         (_, P1) => Role::Activation,
         (_, P0) => Role::Deactivation,
         (_, On) => Role::Event,
-        // What another association drives would end here.
+        // A block and an assignment have an action control of their own, which nothing else drives.
+        (Effect::Assign(..) | Effect::Block(_), R) if !model.is_grafcet() => Role::Nothing,
+        (Effect::Call(..), R) if !model.is_grafcet() => Role::Body,
         (Effect::Assign(..) | Effect::Block(_) | Effect::Call(..), R) => return Err(runs(association)),
         // In an `sfc` what is assigned after another qualifier than N is written, and so runs.
         (Effect::Assign(Place::Output(_), _), _) if qualifier != N && !model.is_grafcet() => Role::Body,
@@ -78,6 +82,7 @@ pub(crate) fn written(model: &Model) -> Result<BTreeMap<Place, Written>, Vec<Ref
         match role(model, association) {
             Ok(Role::Continuous(place)) => all.entry(place).or_default().continuous = true,
             Ok(Role::Set(place) | Role::Reset(place)) => all.entry(place).or_default().set_or_reset = true,
+            Ok(Role::Nothing) => {}
             Ok(_) => {
                 for place in association.effect.writes() {
                     all.entry(*place).or_default().otherwise = true;

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
-    ActionId, Binary, Blink, Blinker, DelayId, EdgeId, Expr, Id, Integer, MacroId, Model, Name, Place, Read, StepId, TimeRef,
-    Tree, Ty, Unary,
+    ActionId, Binary, Blink, Blinker, DelayId, EdgeId, Expr, Id, Integer, MacroId, Model, Name, Place, Read, StepId,
+    TimeRef, Tree, Ty, Unary,
 };
 
 use super::names::Names;

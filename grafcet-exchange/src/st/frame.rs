@@ -32,7 +32,6 @@ impl Frame {
         self.variables.push(Variable::new(name, "TON").note(note));
         self.init.push(Statement::Call(format!("{name}(IN := FALSE, PT := {LONGEST})")));
     }
-
 }
 
 /// The value at the beginning.

@@ -101,7 +101,8 @@ impl Frame {
 
     /// Edges and delays of what the chart itself changes, each behind those that it asks for.
     pub(crate) fn own_memory(&mut self, scope: &mut Scope<'_>, look: &Look<'_>) -> Result<Vec<Statement>, Refused> {
-        let mut own = Own { frame: self, scope, look, edges: BTreeSet::new(), delays: BTreeSet::new(), done: Vec::new() };
+        let mut own =
+            Own { frame: self, scope, look, edges: BTreeSet::new(), delays: BTreeSet::new(), done: Vec::new() };
         // What is looked at may ask for others.
         loop {
             let before = own.edges.len() + own.delays.len();

@@ -46,12 +46,7 @@ pub(super) fn block(
     Ok(done)
 }
 
-fn run(
-    scope: &mut Scope<'_>,
-    statements: &[Rust],
-    names: &mut Names,
-    at: &At<'_>,
-) -> Result<Vec<Statement>, Refused> {
+fn run(scope: &mut Scope<'_>, statements: &[Rust], names: &mut Names, at: &At<'_>) -> Result<Vec<Statement>, Refused> {
     let mut done = Vec::new();
     for statement in statements {
         match statement {

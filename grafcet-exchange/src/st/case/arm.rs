@@ -125,7 +125,7 @@ impl<'m> Case<'m> {
                     Some((_, all)) => all.push(association),
                     None => continuous.push((place, vec![association])),
                 },
-                Role::Deactivation => {}
+                Role::Deactivation | Role::Nothing => {}
             }
         }
         let mut actions: Vec<Statement> = once.into_iter().chain(sets).chain(resets).chain(bodies).flatten().collect();

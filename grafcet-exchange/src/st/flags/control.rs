@@ -97,61 +97,75 @@ impl Flags<'_> {
 
     /// `sfc`: the standard's `ACTION_CONTROL`, of which only what is needed is there.
     pub(super) fn controlled(&mut self, name: String, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
-        let inputs = self.inputs(all_of)?;
-        self.action_control(name, inputs)
-    }
-
-    pub(super) fn action_control(
-        &mut self,
-        name: String,
-        mut inputs: Inputs<'_>,
-    ) -> Result<Vec<Statement>, Refused> {
-        use Qualifier::{D, Ds, L, N, P, R, S, Sd, Sl};
+        let mut inputs = self.inputs(all_of)?;
         let mut done = Vec::new();
-        // Several ask for it.
-        let reset = inputs.remove(&R).map(|reset| {
-            let flag = self.local(&format!("{name}_R"));
-            done.push(Statement::assign(&*flag, one_of(&reset).text));
-            flag
-        });
+        let reset = self.reset(&name, &mut inputs, &mut done);
         // Where nothing else drives it, the place is its flip-flop.
-        if inputs.keys().all(|qualifier| *qualifier == S) {
-            let set = inputs.remove(&S).map_or(Text::word("FALSE"), |inputs| one_of(&inputs));
+        if inputs.keys().all(|qualifier| *qualifier == Qualifier::S) {
+            let set = inputs.remove(&Qualifier::S).map_or(Text::word("FALSE"), |inputs| one_of(&inputs));
             done.push(flip_flop(&name, set, reset.as_ref()));
             return Ok(done);
         }
-        let mut terms: Vec<Text> = [N, P].iter().filter_map(|one| inputs.remove(one)).map(|all| one_of(&all)).collect();
-        if let Some(set) = inputs.remove(&S) {
-            let stored = self.stored(&format!("{name}_S"));
-            done.push(flip_flop(&stored, one_of(&set), reset.as_ref()));
-            terms.push(Text::word(stored));
-        }
-        if let Some(all_of) = inputs.remove(&L) {
-            let flag = self.local(&format!("{name}_L_on"));
-            done.push(Statement::assign(&*flag, one_of(&all_of).text));
-            let over = self.timer((&name, L), &Text::word(&*flag), &all_of, &mut done)?;
-            terms.push(all(vec![Text::word(flag), not(over)]));
-        }
-        if let Some(all_of) = inputs.remove(&D) {
-            terms.push(self.timer((&name, D), &one_of(&all_of), &all_of, &mut done)?);
-        }
-        for qualifier in [Sd, Sl] {
-            let Some(all_of) = inputs.remove(&qualifier) else { continue };
-            let stored = self.stored(&format!("{name}_{}", qualifier.word()));
-            done.push(flip_flop(&stored, one_of(&all_of), reset.as_ref()));
-            let over = self.timer((&name, qualifier), &Text::word(&*stored), &all_of, &mut done)?;
-            terms.push(if qualifier == Sd { over } else { all(vec![Text::word(stored), not(over)]) });
-        }
-        if let Some(all_of) = inputs.remove(&Ds) {
-            let over = self.timer((&name, Ds), &one_of(&all_of), &all_of, &mut done)?;
-            let stored = self.stored(&format!("{name}_DS"));
-            done.push(flip_flop(&stored, over, reset.as_ref()));
-            terms.push(Text::word(stored));
-        }
-        let mut value = vec![any(terms)];
+        let mut value =
+            vec![any(self.driven_by(&name, inputs, reset.as_ref(), &mut done)?.terms.into_values().collect())];
         value.extend(reset.map(|reset| not(Text::word(reset))));
         done.push(Statement::assign(name, all(value).text));
         Ok(done)
+    }
+
+    /// That something resets it, for which several can ask.
+    pub(super) fn reset(&mut self, name: &str, inputs: &mut Inputs<'_>, done: &mut Vec<Statement>) -> Option<String> {
+        inputs.remove(&Qualifier::R).map(|reset| {
+            let flag = self.local(&format!("{name}_R"));
+            done.push(Statement::assign(&*flag, one_of(&reset).text));
+            flag
+        })
+    }
+
+    /// By what it is driven: for each qualifier, when that is so.
+    pub(super) fn driven_by(
+        &mut self,
+        name: &str,
+        inputs: Inputs<'_>,
+        reset: Option<&String>,
+        done: &mut Vec<Statement>,
+    ) -> Result<Driven, Refused> {
+        use Qualifier::{D, Ds, L, N, P, S, Sd, Sl};
+        let (mut terms, mut delayed) = (BTreeMap::new(), None);
+        for qualifier in [N, P, S, L, D, Sd, Sl, Ds] {
+            let Some(all_of) = inputs.get(&qualifier) else { continue };
+            let input = one_of(all_of);
+            let term = match qualifier {
+                S => {
+                    let stored = self.stored(&format!("{name}_S"));
+                    done.push(flip_flop(&stored, input, reset));
+                    Text::word(stored)
+                }
+                L => {
+                    let flag = self.local(&format!("{name}_L_on"));
+                    done.push(Statement::assign(&*flag, input.text));
+                    let over = self.timer((name, L), &Text::word(&*flag), all_of, done)?;
+                    all(vec![Text::word(flag), not(over)])
+                }
+                D => self.timer((name, D), &input, all_of, done)?,
+                Sd | Sl => {
+                    let stored = self.stored(&format!("{name}_{}", qualifier.word()));
+                    done.push(flip_flop(&stored, input, reset));
+                    let over = self.timer((name, qualifier), &Text::word(&*stored), all_of, done)?;
+                    if qualifier == Sd { over } else { all(vec![Text::word(stored), not(over)]) }
+                }
+                Ds => {
+                    let over = self.timer((name, Ds), &input, all_of, done)?;
+                    let stored = self.stored(&format!("{name}_DS"));
+                    done.push(flip_flop(&stored, over.clone(), reset));
+                    delayed = Some(over);
+                    Text::word(stored)
+                }
+                _ => input,
+            };
+            terms.insert(qualifier, term);
+        }
+        Ok(Driven { terms, delayed })
     }
 
     /// The inputs of an action control.
@@ -279,6 +293,14 @@ impl Flags<'_> {
 
 /// Of each qualifier the associations that have it, and when each of them asks.
 pub(super) type Inputs<'a> = BTreeMap<Qualifier, Vec<(&'a Association, Text)>>;
+
+/// What drives an action.
+pub(super) struct Driven {
+    /// By qualifier.
+    pub(super) terms: BTreeMap<Qualifier, Text>,
+    /// That the delay of DS is over, which sets its flip-flop.
+    pub(super) delayed: Option<Text>,
+}
 
 fn one_of(inputs: &[(&Association, Text)]) -> Text {
     any(inputs.iter().map(|(_, input)| input.clone()).collect())

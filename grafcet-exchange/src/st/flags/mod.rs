@@ -5,12 +5,14 @@
 //! - `hierarchy`: what enclosing steps and forcing orders do to it
 //! - `control`: continuous and stored actions of booleans, the standard's `ACTION_CONTROL`
 //! - `runs`: what runs: assignments, blocks, calls
+//! - `shared`: calls of one action by several associations of an `sfc`
 //! - `remembers`: edges and delays of what the chart itself changes
 
 mod control;
 mod hierarchy;
 mod remembers;
 mod runs;
+mod shared;
 mod situation;
 
 use std::cell::RefCell;
@@ -19,11 +21,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::analysis::hierarchy::initial_situation;
 use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Id, Model, PartialId, Place, StepId, TransitionId};
+use grafcet_compiler::model::{Association, Id, Model, PartialId, Place, Qualifier, StepId, TransitionId};
 use grafcet_compiler::sorted::Set;
 
 use self::remembers::OWN_MEMORY;
-use super::action::{Role, Written, places, reads, role, shared_calls, written};
+use super::action::{Role, Written, places, reads, role, written};
 use super::expr::{At, Kind, Moment, Remembers, Scope, plain};
 use super::frame::{self, Frame};
 use super::names::Names;
@@ -37,12 +39,7 @@ use crate::Refused;
 pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
     let written = written(model)?;
     let mut refused = Vec::new();
-    // In a `grafcet` what runs at an instant is a call of its own.
-    if !model.is_grafcet() {
-        shared_calls(model, &mut refused);
-    }
     control::refused(model, &written, &mut refused);
-    runs::refused(model, is_single(model), &mut refused);
     if !refused.is_empty() {
         return Err(refused);
     }
@@ -103,7 +100,8 @@ impl<'m> Flags<'m> {
         let steps = model.steps.values().map(|step| scope.names.own(&format!("SR_{}", plain(&step.name)))).collect();
         let transitions =
             (1..=model.transitions.len()).map(|number| scope.names.own(&format!("Tr_{number}"))).collect();
-        let was_names = model.steps.values().map(|step| scope.names.own(&format!("Was_{}", plain(&step.name)))).collect();
+        let was_names =
+            model.steps.values().map(|step| scope.names.own(&format!("Was_{}", plain(&step.name)))).collect();
         let started = scope.names.own("Started");
         scope.remembers = Remembers::All;
         Self {
@@ -330,7 +328,9 @@ impl<'m> Flags<'m> {
         let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
         // In a `grafcet` the timers have been called anew by then.
         if !self.model.is_grafcet() {
-            self.scope.moment = Moment::Moved(Some(association.step));
+            // What is stored outlives its step.
+            let stored = matches!(association.qualifier, Qualifier::S | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl);
+            self.scope.moment = Moment::Moved((!stored).then_some(association.step));
         }
         let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark: association.mark });
         self.scope.moment = Moment::Called;

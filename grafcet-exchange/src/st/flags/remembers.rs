@@ -32,7 +32,8 @@ impl Flags<'_> {
         let again = if grafcet { self.scope.names.own("Looked") } else { self.started.clone() };
         self.settled = self.samples_once().then(|| self.scope.names.own("Settled"));
         let settled = self.settled.clone();
-        let mut look = Look { active: &active, again: &again, settled: settled.as_deref(), moment: Moment::Moved(None) };
+        let mut look =
+            Look { active: &active, again: &again, settled: settled.as_deref(), moment: Moment::Moved(None) };
         let acting = if grafcet { Vec::new() } else { self.frame.own_memory(&mut self.scope, &look)? };
         look.moment = Moment::Called;
         let own = self.frame.own_memory(&mut self.scope, &look)?;

@@ -12,24 +12,6 @@ use crate::st::expr::{At, Kind, Moment, plain};
 use crate::st::syntax::{Statement, Variable};
 use crate::st::text::{Text, all, any, not};
 
-/// What has no translation.
-pub(super) fn refused(model: &Model, single: bool, refused: &mut Vec<Refused>) {
-    let calls = |association: &Association| match &association.effect {
-        Effect::Call(action, _) if !model.is_grafcet() => Some(*action),
-        _ => None,
-    };
-    for association in model.associations.values() {
-        let others = || model.associations.values().filter(|other| !std::ptr::eq(*other, association));
-        if let Some(action) = calls(association) {
-            let again = others().any(|other| calls(other) == Some(action));
-            if again && (!single || !matches!(association.qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On)) {
-                let name = &model.actions[action].name;
-                refused.push(Refused::at(association.mark, format!("`{name}` is called by several steps, and the chart makes one call of them: structured text of this form has one step for an action")));
-            }
-        }
-    }
-}
-
 impl Flags<'_> {
     /// All actions in their order: those of a `grafcet` that are done at an instant, and the rest; those of an `sfc`, what ends with its step, what
     /// begins, the rest.
@@ -41,7 +23,16 @@ impl Flags<'_> {
         let model = self.model;
         let (mut left, mut entered, mut rest) = (Vec::new(), Vec::new(), Vec::new());
         let mut controlled = BTreeSet::new();
-        for association in model.associations.values() {
+        for (id, association) in model.associations.iter() {
+            if let Effect::Call(action, _) = association.effect
+                && let Some(all_of) = self.called_together(action)
+            {
+                // Where the action first stands.
+                if all_of[0] == id {
+                    self.of_action(action, &all_of, [&mut left, &mut entered, &mut rest])?;
+                }
+                continue;
+            }
             match role(model, association)? {
                 Role::Continuous(place) | Role::Set(place) | Role::Reset(place) => {
                     if controlled.insert(place) {
@@ -57,7 +48,7 @@ impl Flags<'_> {
                     entered.push(self.once(association, event)?);
                 }
                 Role::Body => self.body(association, &mut left, &mut rest)?,
-                Role::Event => {}
+                Role::Event | Role::Nothing => {}
             }
         }
         let conditions = std::mem::take(&mut self.conditions);
@@ -65,11 +56,7 @@ impl Flags<'_> {
     }
 
     /// P1 and P0.
-    fn once(
-        &mut self,
-        association: &Association,
-        event: Text,
-    ) -> Result<Statement, Refused> {
+    fn once(&mut self, association: &Association, event: Text) -> Result<Statement, Refused> {
         let leaves = association.qualifier == Qualifier::P0;
         let moment = if leaves { Moment::Leaving } else { Moment::Moved(Some(association.step)) };
         let mut parts = vec![event];
@@ -77,7 +64,8 @@ impl Flags<'_> {
             let text = self.instant(moment, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
             parts.push(self.hoisted(text, association));
         }
-        let done = self.instant(moment, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        let done =
+            self.instant(moment, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 
@@ -116,7 +104,8 @@ impl Flags<'_> {
             }
             self.after(association, sees)
         };
-        let [first, repeated, last] = [phase(Phase::First, false)?, phase(Phase::Repeated, false)?, phase(Phase::Final, false)?];
+        let [first, repeated, last] =
+            [phase(Phase::First, false)?, phase(Phase::Repeated, false)?, phase(Phase::Final, false)?];
         // It ends with its step, or else among the rest.
         let mut ends = Some(vec![Text::word(&*ran)]);
         if let Some([is_left, stays]) = left_or_not {
@@ -138,10 +127,7 @@ impl Flags<'_> {
     }
 
     /// What drives what runs; of what ends with its step, that this is left and that it is not.
-    fn driven(
-        &mut self,
-        association: &Association,
-    ) -> Result<(String, Option<[Text; 2]>), Refused> {
+    fn driven(&mut self, association: &Association) -> Result<(String, Option<[Text; 2]>), Refused> {
         let (flag, qualifier) = (self.flag(association.step), association.qualifier);
         let with_step = Some([not(flag.clone()), flag]);
         if qualifier == Qualifier::N {
@@ -195,6 +181,7 @@ impl Flags<'_> {
                     self.body(association, &mut left, &mut now)?;
                     calls.extend(left.into_iter().chain(now));
                 }
+                Role::Nothing => {}
                 Role::Event => stored.push(self.event(association)?),
                 Role::Activation | Role::Deactivation => {
                     let event = if role == Role::Activation {
@@ -212,7 +199,9 @@ impl Flags<'_> {
                 Role::Set(place) | Role::Reset(place) => {
                     let mut parts = vec![self.activated(association.step)];
                     if let Some(condition) = &association.condition {
-                        parts.push(self.instant(Moment::Called, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+                        parts.push(self.instant(Moment::Called, association.mark, |scope, at| {
+                            scope.expr(condition, &Kind::Bool, at)
+                        })?);
                     }
                     let value = if association.qualifier == Qualifier::S { "TRUE" } else { "FALSE" };
                     stored.push(Statement::when(
@@ -281,7 +270,9 @@ impl Flags<'_> {
             }
             let mut done = Vec::new();
             for effect in &transition.clearing {
-                done.extend(self.instant(Moment::Called, transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
+                done.extend(
+                    self.instant(Moment::Called, transition.mark, |scope, at| run(scope, effect, Phase::First, at))?,
+                );
             }
             if !done.is_empty() {
                 // An `any` clears as a whole.
@@ -321,9 +312,12 @@ impl Flags<'_> {
             any(vec![was, self.deactivated(association.step)])
         }];
         for condition in association.event.iter().chain(&association.condition) {
-            parts.push(self.instant(Moment::Called, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+            parts.push(
+                self.instant(Moment::Called, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?,
+            );
         }
-        let done = self.instant(Moment::Called, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        let done = self
+            .instant(Moment::Called, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 }
