@@ -146,7 +146,7 @@ pub(super) fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<
         }
     }
     let text = scope.tree(value, &wanted, at)?.text;
-    scope.tells_times |= wanted == Kind::Time && text.contains(".ET");
+    scope.tells(&wanted, &text);
     Ok(text)
 }
 
@@ -200,11 +200,19 @@ impl Scope<'_> {
                 let message = format!("the parameter `{name}` of `{}` is of no type of structured text", action.name);
                 return Err(Refused::at(at.mark, message));
             };
-            given.push(format!("{name} := {}", scope.expr(argument, &kind, at)?.text));
+            let value = scope.expr(argument, &kind, at)?.text;
+            scope.tells(&kind, &value);
+            given.push(format!("{name} := {value}"));
             inputs.push(Variable::new(name, kind.name()));
         }
         let name = scope.action(id, inputs, rust);
         Ok(Statement::Call(format!("{name}({})", given.join(", "))))
+    }
+
+    /// What is stored or told may be the time of a step.
+    fn tells(&mut self, kind: &Kind, text: &str) {
+        let reached = |name: &String| text.contains(&**name);
+        self.tells_times |= *kind == Kind::Time && (text.contains(".ET") || self.reached.values().any(reached));
     }
 
     /// The instance of the function block that stands for an action.

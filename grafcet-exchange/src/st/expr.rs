@@ -92,15 +92,6 @@ pub(crate) enum Remembers {
     All,
 }
 
-impl Remembers {
-    fn mend(self) -> &'static str {
-        match self {
-            Self::Steps => "only edges and delays of inputs and steps have: use the form of flip-flops",
-            _ => "only edges of inputs are: ask for the step or the value itself",
-        }
-    }
-}
-
 /// What the timers of steps show.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Moment {
@@ -389,7 +380,7 @@ impl<'m> Scope<'m> {
         let own = !reads_inputs_alone(&of.tree);
         if own && !self.can_remember(&of.tree) {
             let why = "an edge of what the chart itself changes";
-            return Err(refuse(at, why, self.remembers.mend()));
+            return Err(self.not_remembered(why, at));
         }
         let acts = own && !model.is_grafcet() && matches!(self.moment, Moment::Moved(_) | Moment::Leaving);
         let known = if acts { &self.acting } else { &self.edges };
@@ -410,7 +401,7 @@ impl<'m> Scope<'m> {
     fn delay(&mut self, id: DelayId, at: &At<'_>) -> Result<Text, Refused> {
         let of = &self.model.delays[id].of;
         if !reads_inputs_alone(&of.tree) && !self.can_remember(&of.tree) {
-            return Err(refuse(at, "the delay of what the chart itself changes", self.remembers.mend()));
+            return Err(self.not_remembered("the delay of what the chart itself changes", at));
         }
         if self.steps.is_some() {
             return Err(refuse(at, "a delay", "in SFC of IEC 61131-3 let a step wait for its time"));
@@ -420,6 +411,16 @@ impl<'m> Scope<'m> {
             self.delays.insert(id, name);
         }
         Ok(Text::word(self.delays[&id].clone()))
+    }
+
+    fn not_remembered(&self, what: &str, at: &At<'_>) -> Refused {
+        if self.steps.is_some() {
+            return refuse(at, what, "only edges of inputs are: ask for the step or the value itself");
+        }
+        let message = format!(
+            "{what} has no translation into the CASE form of structured text, but in transitions where it is one of inputs and steps: use the form of flip-flops"
+        );
+        Refused::at(at.mark, message)
     }
 
     /// Whether what an edge or a delay is of is seen at its moment.

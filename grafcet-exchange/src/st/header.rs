@@ -69,7 +69,7 @@ fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
         );
     }
     if scope.tells_times {
-        lines.push("The time of a step that is stored ends at 24 days: so far a TON counts.".to_owned());
+        lines.push("The time of a step that is stored or told ends at 24 days: so far a TON counts.".to_owned());
     }
     if scope.adds_times {
         lines.push("Sums of times end at the longest time, which in the chart is a time of so many ticks and here of so many milliseconds.".to_owned());

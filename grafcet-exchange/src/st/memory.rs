@@ -149,7 +149,7 @@ impl Own<'_, '_> {
         let mut value = self.value(of)?;
         let names = self.known()[&id].clone();
         if value.strength != strength::WORD {
-            let now = self.scope.names.own(&format!("{}_now", names[0].trim_end_matches("_rises")));
+            let now = self.scope.names.own(&names[0].replacen("_rises", "_now", 1));
             self.frame.variables.push(Variable::new(&*now, "BOOL").note(&*of.text));
             self.done.push(Statement::assign(&*now, value.text));
             value = Text::word(now);

@@ -28,7 +28,8 @@ pub(crate) fn compare(
     let Ok(oracle) = Interpreter::new(model) else { return Ok(0) };
     let names = program.renamed.iter().cloned().collect();
     let mut pair = Pair { names, model, oracle, machine, init: false, fresh: true, last: None, ms: 0 };
-    let ends = ["What blinks stands still", "that is stored ends"].iter().any(|note| program.text.contains(note));
+    let ends =
+        ["What blinks stands still", "that is stored or told ends"].iter().any(|note| program.text.contains(note));
     let mut shifted = Shifted::of(model);
     if form == Form::Case && order.is_none() && !model.is_grafcet() && !shifted.can_be_compared() {
         return Ok(0);
