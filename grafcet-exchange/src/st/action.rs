@@ -266,7 +266,7 @@ pub(crate) fn shared_calls(model: &Model, refused: &mut Vec<Refused>) {
         let same_step = first != id && model.associations[first].step == association.step;
         if qualifier != association.qualifier || same_step {
             let name = &model.actions[action].name;
-            refused.push(Refused::at(association.mark, format!("`{name}` is called by two kinds of associations, or twice by one step: structured text of these forms has one kind of call for an action")));
+            refused.push(Refused::at(association.mark, format!("`{name}` is called by two kinds of associations, or twice by one step, and the CASE form has one kind of call for an action: use the form of flip-flops")));
         }
     }
 }

@@ -242,7 +242,7 @@ impl<'m> Scope<'m> {
         let place = |place: Place, name: &str| at.before.get(&place).map_or(name, String::as_str).to_owned();
         let active = |step| {
             (at.active)(step).ok_or_else(|| {
-                Refused::at(at.mark, "which step is active cannot be asked here in this form of structured text: read a variable that the step sets")
+                Refused::at(at.mark, "which step is active cannot be asked here in the CASE form of structured text: read a variable that the step sets, or use the form of flip-flops")
             })
         };
         match read {
@@ -495,7 +495,6 @@ fn may_read_times(at: &At<'_>) -> Result<(), Refused> {
     if at.times {
         return Ok(());
     }
-    let message =
-        "the time of a step cannot be read by what runs once: in structured text the timer is another one by then";
+    let message = "the time of a step cannot be read by what runs once in the CASE form, as the timer is another one by then: use the form of flip-flops";
     Err(Refused::at(at.mark, message))
 }

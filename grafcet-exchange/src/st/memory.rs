@@ -99,8 +99,12 @@ impl Frame {
         Ok(statements)
     }
 
-    /// Edges and delays of what the chart itself changes, each behind those that it asks for.
-    pub(crate) fn own_memory(&mut self, scope: &mut Scope<'_>, look: &Look<'_>) -> Result<Vec<Statement>, Refused> {
+    /// Edges (as rising ones) and delays of what the chart itself changes, each behind those that it asks for.
+    pub(crate) fn own_memory(
+        &mut self,
+        scope: &mut Scope<'_>,
+        look: &Look<'_>,
+    ) -> Result<Vec<(Read, Vec<Statement>)>, Refused> {
         let mut own =
             Own { frame: self, scope, look, edges: BTreeSet::new(), delays: BTreeSet::new(), done: Vec::new() };
         // What is looked at may ask for others.
@@ -121,13 +125,19 @@ impl Frame {
     }
 }
 
+/// The statements alone.
+pub(crate) fn in_a_row(memory: Vec<(Read, Vec<Statement>)>) -> Vec<Statement> {
+    memory.into_iter().flat_map(|(_, statements)| statements).collect()
+}
+
 struct Own<'a, 'm> {
     frame: &'a mut Frame,
     scope: &'a mut Scope<'m>,
     look: &'a Look<'a>,
     edges: BTreeSet<EdgeId>,
     delays: BTreeSet<DelayId>,
-    done: Vec<Statement>,
+    /// Each with what is asked for it.
+    done: Vec<(Read, Vec<Statement>)>,
 }
 
 impl Own<'_, '_> {
@@ -146,16 +156,16 @@ impl Own<'_, '_> {
         if reads_inputs_alone(&of.tree) || !self.edges.insert(id) {
             return Ok(());
         }
-        let mut value = self.value(of)?;
+        let (mut value, mut done) = (self.value(of)?, Vec::new());
         let names = self.known()[&id].clone();
         if value.strength != strength::WORD {
             let now = self.scope.names.own(&names[0].replacen("_rises", "_now", 1));
             self.frame.variables.push(Variable::new(&*now, "BOOL").note(&*of.text));
-            self.done.push(Statement::assign(&*now, value.text));
+            done.push(Statement::assign(&*now, value.text));
             value = Text::word(now);
         }
-        let statements = self.frame.edge(of, &names, value, self.look.again);
-        self.done.extend(statements);
+        done.extend(self.frame.edge(of, &names, value, self.look.again));
+        self.done.push((Read::Rising(id), done));
         Ok(())
     }
 
@@ -167,10 +177,11 @@ impl Own<'_, '_> {
         let value = self.value(&model.delays[id].of)?;
         let name = self.scope.delays[&id].clone();
         let statements = self.frame.delay(self.scope, id, &name, &value)?;
-        match self.look.settled {
-            Some(settled) => self.done.push(Statement::when(settled, statements)),
-            None => self.done.extend(statements),
-        }
+        let statements = match self.look.settled {
+            Some(settled) => vec![Statement::when(settled, statements)],
+            None => statements,
+        };
+        self.done.push((Read::Delay(id), statements));
         Ok(())
     }
 

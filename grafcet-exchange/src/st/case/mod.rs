@@ -11,7 +11,7 @@ use grafcet_compiler::model::{Id, Model, Place, StepId};
 use super::action::{Written, written};
 use super::expr::{Moment, Scope, plain};
 use super::frame::{self, Frame};
-use super::memory::{Look, is_of_inputs};
+use super::memory::{Look, in_a_row, is_of_inputs};
 use super::names::Names;
 use super::syntax::{Arm, Program, Statement, Variable};
 use super::text::{Text, strength};
@@ -170,7 +170,7 @@ impl Case<'_> {
         let before = self.scope.names.own(&format!("{}_before", self.step));
         let settled = format!("{} = {before}", self.step);
         let look = Look { active: &active, again: started, settled: once.then_some(&*settled), moment: Moment::Called };
-        let mut own = frame.own_memory(&mut self.scope, &look)?;
+        let mut own = in_a_row(frame.own_memory(&mut self.scope, &look)?);
         if once {
             let initial = self.model.steps.iter().find(|(_, step)| step.initial).map_or(0, |(id, _)| self.number(id));
             let variable = Variable::new(&*before, "DINT").init(initial.to_string());

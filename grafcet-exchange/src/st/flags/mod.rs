@@ -24,7 +24,6 @@ use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{Association, Id, Model, PartialId, Place, Qualifier, StepId, TransitionId};
 use grafcet_compiler::sorted::Set;
 
-use self::remembers::OWN_MEMORY;
 use super::action::{Role, Written, places, reads, role, written};
 use super::expr::{At, Kind, Moment, Remembers, Scope, plain};
 use super::frame::{self, Frame};
@@ -159,7 +158,7 @@ impl<'m> Flags<'m> {
         transitions.extend(self.transitions()?);
         let [instants, actions] = self.actions(written)?;
         let situation = self.situation();
-        let [acting, own] = self.memory()?;
+        let (acting, own) = self.memory()?;
         let ended = self.ended();
         let restarts = self.restarts();
         let (changes, moved) = (self.changes(), self.moved_changes());
@@ -186,10 +185,9 @@ impl<'m> Flags<'m> {
         ]);
         part(body, "Edges and delays of inputs", before);
         part(body, "The times of steps, to be read", timers.clone());
-        let [own_first, own_behind] = self.around_following(own)?;
-        part(body, OWN_MEMORY, own_first);
-        part(body, "What follows the situation", following);
-        part(body, OWN_MEMORY, own_behind);
+        for (heading, statements) in self.looked_at(following, own) {
+            part(body, heading, statements);
+        }
         part(body, "What actions read as it was before the scan", copies);
         part(body, "Transitions: predecessor and condition", transitions);
         part(body, "What is activated and deactivated", changes);

@@ -4,18 +4,20 @@
 //! what the scan before has left as it was. In an `sfc` transitions compare what there was before the evolutions of two scans, and actions what there
 //! was behind them.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use grafcet_compiler::analysis::combinational::in_order;
-use grafcet_compiler::model::{Id, Name, Place, Read, StepId, VarId};
+use grafcet_compiler::model::{Expr, Id, Name, Place, Read, StepId};
 
 use super::Flags;
 use crate::Refused;
 use crate::st::expr::{Moment, reads_inputs_alone};
-use crate::st::memory::{Look, is_of_inputs};
+use crate::st::memory::{Look, in_a_row, is_of_inputs};
 use crate::st::syntax::{Statement, Variable};
 use crate::st::text::{Text, all, strength};
 
-/// The heading of edges and delays beside those of inputs.
-pub(super) const OWN_MEMORY: &str = "Edges and delays of what the chart itself changes";
+/// Something that is looked at, and how.
+pub(super) type Asked = (Read, Vec<Statement>);
 
 impl Flags<'_> {
     /// Whether there may be a delay that is not looked at in each scan.
@@ -24,7 +26,7 @@ impl Flags<'_> {
     }
 
     /// What actions ask for behind the evolution, and what is asked for before it.
-    pub(super) fn memory(&mut self) -> Result<[Vec<Statement>; 2], Refused> {
+    pub(super) fn memory(&mut self) -> Result<(Vec<Statement>, Vec<Asked>), Refused> {
         let grafcet = self.model.is_grafcet();
         let steps = self.steps.clone();
         let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
@@ -34,39 +36,60 @@ impl Flags<'_> {
         let settled = self.settled.clone();
         let mut look =
             Look { active: &active, again: &again, settled: settled.as_deref(), moment: Moment::Moved(None) };
-        let acting = if grafcet { Vec::new() } else { self.frame.own_memory(&mut self.scope, &look)? };
+        let acting = if grafcet { Vec::new() } else { in_a_row(self.frame.own_memory(&mut self.scope, &look)?) };
         look.moment = Moment::Called;
         let own = self.frame.own_memory(&mut self.scope, &look)?;
         let edges = self.scope.edges.keys().any(|id| !reads_inputs_alone(&self.model.edges[*id].of.tree));
         self.looked = Some(again).filter(|_| grafcet && edges);
-        Ok([acting, own])
+        Ok((acting, own))
     }
 
-    /// What follows the situation is asked for by edges and delays, or asks for them.
-    pub(super) fn around_following(&self, own: Vec<Statement>) -> Result<[Vec<Statement>; 2], Refused> {
-        let model = self.model;
-        let following = in_order(model);
-        let is_own = |read: &Read| match read {
-            Read::Rising(id) | Read::Falling(id) => !reads_inputs_alone(&model.edges[*id].of.tree),
-            Read::Delay(id) => !is_of_inputs(model, *id),
-            _ => false,
+    /// What follows the situation, and edges and delays: each behind what it asks for, and under headings where they can be told apart.
+    pub(super) fn looked_at(&self, following: Vec<Asked>, own: Vec<Asked>) -> Vec<(&'static str, Vec<Statement>)> {
+        let asks = |some: &[Asked], others: &[Asked]| {
+            let known: Vec<Read> = others.iter().map(|(read, _)| *read).collect();
+            some.iter().any(|(read, _)| self.asks(*read).iter().any(|asked| known.contains(asked)))
         };
-        let follows = |read: &Read| matches!(read, Read::Name(Name::Var(var)) if following.contains(var));
-        let asks = |var: &VarId| {
-            let controls = super::control::controls(model, Place::Var(*var));
-            controls.iter().any(|one| one.condition.iter().flat_map(|condition| &condition.reads).any(is_own))
-        };
-        let Some(var) = following.iter().find(|var| asks(var)) else { return Ok([Vec::new(), own]) };
-        let edges = self.scope.edges.keys().map(|id| &model.edges[*id].of);
-        let delays = self.scope.delays.keys().map(|id| &model.delays[*id].of);
-        if edges.chain(delays).any(|of| of.reads.iter().any(follows)) {
-            let name = model.place_name(Place::Var(*var));
-            let message = format!(
-                "`{name}` follows edges or delays of what the chart itself changes, and others are of what follows the situation: structured text of this form cannot order them; ask for the steps themselves"
-            );
-            return Err(Refused::at(name.into(), message));
+        let (memory, follows) = ("Edges and delays of what the chart itself changes", "What follows the situation");
+        match (asks(&following, &own), asks(&own, &following)) {
+            (false, _) => vec![(follows, in_a_row(following)), (memory, in_a_row(own))],
+            (true, false) => vec![(memory, in_a_row(own)), (follows, in_a_row(following))],
+            (true, true) => {
+                let all: BTreeMap<Read, Vec<Statement>> = following.into_iter().chain(own).collect();
+                let (mut seen, mut order) = (BTreeSet::new(), Vec::new());
+                for read in all.keys() {
+                    self.behind(*read, &mut seen, &mut order);
+                }
+                let sorted = order.iter().filter_map(|read| all.get(read)).flatten().cloned().collect();
+                vec![("What follows the situation, and edges and delays that belong to it", sorted)]
+            }
         }
-        Ok([own, Vec::new()])
+    }
+
+    /// First what it asks for.
+    fn behind(&self, read: Read, seen: &mut BTreeSet<Read>, order: &mut Vec<Read>) {
+        if seen.insert(read) {
+            for asked in self.asks(read) {
+                self.behind(asked, seen, order);
+            }
+            order.push(read);
+        }
+    }
+
+    /// What is asked for by what is looked at; an edge is called a rising one.
+    fn asks(&self, read: Read) -> Vec<Read> {
+        let model = self.model;
+        let expressions: Vec<&Expr> = match read {
+            Read::Rising(id) => vec![&model.edges[id].of],
+            Read::Delay(id) => vec![&model.delays[id].of],
+            Read::Name(Name::Var(var)) => {
+                let controls = super::control::controls(model, Place::Var(var));
+                controls.into_iter().filter_map(|one| one.condition.as_ref()).collect()
+            }
+            _ => Vec::new(),
+        };
+        let asked = expressions.into_iter().flat_map(|of| &of.reads);
+        asked.map(|read| if let Read::Falling(id) = read { Read::Rising(*id) } else { *read }).collect()
     }
 
     /// The end of a scan: there has been one, and what it has left as it was.

@@ -3,12 +3,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::combinational::in_order;
-use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
+use grafcet_compiler::model::{Association, Effect, Model, Name, Place, Qualifier, Read};
 
 use super::Flags;
+use super::remembers::Asked;
 use crate::Refused;
 use crate::st::action::{Phase, Role, Written, places, role, run};
 use crate::st::expr::{At, Kind, Moment, plain};
+use crate::st::memory::in_a_row;
 use crate::st::syntax::{Statement, Variable};
 use crate::st::text::{Text, all, any, not};
 
@@ -159,7 +161,7 @@ impl Flags<'_> {
 
     fn of_grafcet(&mut self, written: &BTreeMap<Place, Written>) -> Result<[Vec<Statement>; 2], Refused> {
         let model = self.model;
-        let (mut stored, mut rest, mut calls) = (Vec::new(), self.following()?, Vec::new());
+        let (mut stored, mut rest, mut calls) = (Vec::new(), in_a_row(self.following()?), Vec::new());
         let mut continuous: BTreeSet<Place> = in_order(model).into_iter().map(Place::Var).collect();
         for association in model.associations.values() {
             let role = role(model, association)?;
@@ -292,12 +294,12 @@ impl Flags<'_> {
 
     /// What follows the situation, each after what it reads: asked by transitions on the situation before the evolution, and by continuous actions on
     /// that behind it.
-    pub(super) fn following(&mut self) -> Result<Vec<Statement>, Refused> {
-        let mut statements = Vec::new();
+    pub(super) fn following(&mut self) -> Result<Vec<Asked>, Refused> {
+        let mut following = Vec::new();
         for var in in_order(self.model) {
-            statements.extend(self.control(Place::Var(var))?);
+            following.push((Read::Name(Name::Var(var)), self.control(Place::Var(var))?));
         }
-        Ok(statements)
+        Ok(following)
     }
 
     /// An action on an event runs if its step was active before the evolution.

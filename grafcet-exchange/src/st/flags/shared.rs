@@ -97,7 +97,7 @@ impl<'m> Flags<'m> {
         for (index, id) in all_of.iter().enumerate() {
             let association = &model.associations[*id];
             let on = self.local(&format!("{name}_{}", index + 1));
-            let value = self.asks(association)?;
+            let value = self.asking(association)?;
             self.conditions.push(Statement::assign(&*on, value.text));
             callers.push(Caller { association, number: index + 1, on: Text::word(on) });
         }
@@ -114,7 +114,7 @@ impl<'m> Flags<'m> {
     }
 
     /// The flag or the event of an association, as it is before the first action runs.
-    fn asks(&mut self, association: &Association) -> Result<Text, Refused> {
+    fn asking(&mut self, association: &Association) -> Result<Text, Refused> {
         let (moment, event) = match association.qualifier {
             Qualifier::P0 => (Moment::Leaving, self.deactivated(association.step)),
             Qualifier::P1 => (Moment::Moved(Some(association.step)), self.activated(association.step)),
