@@ -4,13 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
-    ActionId, Binary, Blink, Blinker, DelayId, EdgeId, Expr, Id, Integer, MacroId, Model, Name, Place, Read, StepId,
-    TimeRef, Tree, Ty, Unary,
+    ActionId, Binary, DelayId, EdgeId, Expr, Integer, MacroId, Model, Name, Place, Read, StepId, TimeRef, Tree, Ty,
+    Unary,
 };
 
 use super::names::Names;
+use super::since::may_read_times;
 use super::syntax::{Stub, Variable};
-use super::text::{Text, all, any, not, strength};
+use super::text::{Text, any, not, strength};
 use super::{real, time};
 use crate::Refused;
 
@@ -142,9 +143,6 @@ pub(crate) struct Scope<'m> {
     /// Times are added.
     pub(crate) adds_times: bool,
 }
-
-/// A time as a number.
-const MILLISECONDS: &str = "TIME_TO_DINT";
 
 /// Steps as the language itself has them: with `Step.X` and `Step.T`.
 pub(crate) struct Steps {
@@ -280,169 +278,12 @@ impl<'m> Scope<'m> {
         }
     }
 
-    /// True and false in turn since the step was activated: where in its period the time of the step is.
-    fn blink(&mut self, blink: Blink, at: &At<'_>) -> Result<Text, Refused> {
-        if self.steps.is_some() {
-            return Err(refuse(at, "`blink`", "write it as two steps, each with its time"));
-        }
-        may_read_times(at)?;
-        let [on, off] = [blink.on, blink.off].map(|ticks| time::milliseconds(self.model, ticks, at.mark));
-        let (on, off) = (on?, off?);
-        let (active, since) = match blink.of {
-            Blinker::Step(step) => (self.read(Read::Active(step), at)?, self.since(step)),
-            Blinker::Macro(id) => (self.read(Read::MacroActive(id), at)?, self.macro_since(id, at)?),
-        };
-        self.blinks = true;
-        let place = Text::order(format!("{MILLISECONDS}({since}) MOD {} < {on}", on + off));
-        Ok(all(vec![active, place]))
-    }
-
-    fn elapsed(&mut self, time: TimeRef, step: StepId, at: &At<'_>) -> Result<Text, Refused> {
-        may_read_times(at)?;
-        let limit = self.time(time, at.mark)?;
-        let reached = Text::order(format!("{} >= {limit}", self.since(step)));
-        // The timer of a step that is not active is at zero: only a time that may be zero asks for more.
-        let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step))
-            && !matches!(self.moment, Moment::Moved(own) if own != Some(step))
-            && self.moment != Moment::Leaving;
-        if at_zero && matches!(time, TimeRef::Ticks(1..)) {
-            return Ok(reached);
-        }
-        let active = self.read(Read::Active(step), at)?;
-        Ok(all(vec![active, reached]))
-    }
-
-    /// How long a step has been active.
-    fn since(&mut self, step: StepId) -> String {
-        match &self.steps {
-            Some(steps) => format!("{}.T", steps.names[step.index()]),
-            None if self.moment == Moment::Leaving && self.reentered.contains(&step) => {
-                let timer = self.timer(step);
-                if !self.reached.contains_key(&step) {
-                    let name = self.names.own(&format!("{timer}_reached"));
-                    self.reached.insert(step, name);
-                }
-                self.reached[&step].clone()
-            }
-            None => format!("{}.ET", self.timer(step)),
-        }
-    }
-
-    fn macro_elapsed(&mut self, time: TimeRef, id: MacroId, at: &At<'_>) -> Result<Text, Refused> {
-        let since = self.macro_since(id, at)?;
-        let reached = Text::order(format!("{since} >= {}", self.time(time, at.mark)?));
-        if self.moment == Moment::Called && matches!(time, TimeRef::Ticks(1..)) {
-            return Ok(reached);
-        }
-        let active = self.read(Read::MacroActive(id), at)?;
-        Ok(all(vec![active, reached]))
-    }
-
-    /// How long a macro-step has been active: since the first of its steps was, whichever of them are.
-    fn macro_since(&mut self, id: MacroId, at: &At<'_>) -> Result<String, Refused> {
-        let of = &self.model.macros[id];
-        let left = matches!(self.moment, Moment::Begun(own) if !of.steps.contains(&own));
-        if self.steps.is_some() || left {
-            return Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"));
-        }
-        may_read_times(at)?;
-        if !self.macro_timers.contains_key(&id) {
-            let name = self.names.own(&format!("T_{}", plain(&of.name)));
-            self.macro_timers.insert(id, name);
-        }
-        Ok(format!("{}.ET", self.macro_timers[&id]))
-    }
-
-    /// Rising or falling.
-    fn edge_of(&mut self, id: EdgeId, which: usize, at: &At<'_>) -> Result<Text, Refused> {
-        let names = self.edge(id, at)?;
-        if self.steps.is_none() {
-            return Ok(Text::word(names[which].clone()));
-        }
-        let model = self.model;
-        let now = self.tree(&model.edges[id].of.tree, &Kind::Bool, at)?;
-        let was = Text::word(names[2].clone());
-        Ok(all(if which == 0 { vec![now, not(was)] } else { vec![not(now), was] }))
-    }
-
     /// A time as a literal or a name.
     pub(crate) fn time(&self, time: TimeRef, mark: Mark) -> Result<String, Refused> {
         match time {
             TimeRef::Ticks(ticks) => time::literal(self.model, ticks, mark),
             TimeRef::Param(id) => Ok(self.name(Name::Param(id)).to_owned()),
             TimeRef::Var(id) => Ok(self.name(Name::Var(id)).to_owned()),
-        }
-    }
-
-    fn edge(&mut self, id: EdgeId, at: &At<'_>) -> Result<[String; 3], Refused> {
-        let model = self.model;
-        let of = &model.edges[id].of;
-        let own = !reads_inputs_alone(&of.tree);
-        if own && !self.can_remember(&of.tree) {
-            let why = "an edge of what the chart itself changes";
-            return Err(self.not_remembered(why, at));
-        }
-        let acts = own && !model.is_grafcet() && matches!(self.moment, Moment::Moved(_) | Moment::Leaving);
-        let known = if acts { &self.acting } else { &self.edges };
-        if let Some(known) = known.get(&id) {
-            return Ok(known.clone());
-        }
-        let base = match &of.tree {
-            Tree::Read(Read::Name(name)) => self.name(*name).to_owned(),
-            Tree::Read(Read::Active(step)) => plain(&model.steps[*step].name),
-            _ => format!("edge_{}", id.index() + 1),
-        };
-        let names = ["rises", "falls", "was"].map(|what| self.names.own(&format!("{base}_{what}")));
-        let known = if acts { &mut self.acting } else { &mut self.edges };
-        known.insert(id, names.clone());
-        Ok(names)
-    }
-
-    fn delay(&mut self, id: DelayId, at: &At<'_>) -> Result<Text, Refused> {
-        let of = &self.model.delays[id].of;
-        if !reads_inputs_alone(&of.tree) && !self.can_remember(&of.tree) {
-            return Err(self.not_remembered("the delay of what the chart itself changes", at));
-        }
-        if self.steps.is_some() {
-            return Err(refuse(at, "a delay", "in SFC of IEC 61131-3 let a step wait for its time"));
-        }
-        if !self.delays.contains_key(&id) {
-            let name = self.names.own(&format!("delay_{}", id.index() + 1));
-            self.delays.insert(id, name);
-        }
-        Ok(Text::word(self.delays[&id].clone()))
-    }
-
-    fn not_remembered(&self, what: &str, at: &At<'_>) -> Refused {
-        if self.steps.is_some() {
-            return refuse(at, what, "only edges of inputs are: ask for the step or the value itself");
-        }
-        let message = format!(
-            "{what} has no translation into the CASE form of structured text, but in transitions where it is one of inputs and steps: use the form of flip-flops"
-        );
-        Refused::at(at.mark, message)
-    }
-
-    /// Whether what an edge or a delay is of is seen at its moment.
-    fn can_remember(&self, tree: &Tree) -> bool {
-        match self.remembers {
-            Remembers::Inputs => false,
-            Remembers::Steps => {
-                let mut alone = !real::is_rust(tree);
-                tree.each_read(&mut |read| {
-                    alone &= match read {
-                        Read::Name(Name::Input(_) | Name::Param(_))
-                        | Read::Ticks(_)
-                        | Read::Active(_)
-                        | Read::MacroActive(_) => true,
-                        Read::Rising(id) | Read::Falling(id) => self.can_remember(&self.model.edges[id].of.tree),
-                        Read::Delay(id) => self.can_remember(&self.model.delays[id].of.tree),
-                        _ => false,
-                    }
-                });
-                alone
-            }
-            Remembers::All => true,
         }
     }
 
@@ -489,12 +330,4 @@ pub(crate) fn plain(name: &proc_macro2::Ident) -> String {
 
 pub(super) fn refuse(at: &At<'_>, what: &str, mend: &str) -> Refused {
     Refused::at(at.mark, format!("{what} has no translation into structured text; {mend}"))
-}
-
-fn may_read_times(at: &At<'_>) -> Result<(), Refused> {
-    if at.times {
-        return Ok(());
-    }
-    let message = "the time of a step cannot be read by what runs once in the CASE form, as the timer is another one by then: use the form of flip-flops";
-    Err(Refused::at(at.mark, message))
 }

@@ -2,10 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::model::{DelayId, EdgeId, Expr, Model, Read, StepId, TimeRef};
+use grafcet_compiler::model::{DelayId, EdgeId, Expr, Id, Model, Name, Read, StepId, TimeRef, Tree};
 
-use super::expr::{At, Kind, Moment, Scope, reads_inputs_alone};
+use super::expr::{At, Kind, Moment, Remembers, Scope, plain, reads_inputs_alone, refuse};
 use super::frame::Frame;
+use super::real;
 use super::syntax::{Statement, Variable};
 use super::text::{Text, all, not, strength};
 use super::time::LONGEST;
@@ -121,6 +122,92 @@ impl Frame {
             if own.edges.len() + own.delays.len() == before {
                 return Ok(own.done);
             }
+        }
+    }
+}
+
+impl Scope<'_> {
+    /// Rising or falling.
+    pub(super) fn edge_of(&mut self, id: EdgeId, which: usize, at: &At<'_>) -> Result<Text, Refused> {
+        let names = self.edge(id, at)?;
+        if self.steps.is_none() {
+            return Ok(Text::word(names[which].clone()));
+        }
+        let model = self.model;
+        let now = self.tree(&model.edges[id].of.tree, &Kind::Bool, at)?;
+        let was = Text::word(names[2].clone());
+        Ok(all(if which == 0 { vec![now, not(was)] } else { vec![not(now), was] }))
+    }
+
+    pub(super) fn edge(&mut self, id: EdgeId, at: &At<'_>) -> Result<[String; 3], Refused> {
+        let model = self.model;
+        let of = &model.edges[id].of;
+        let own = !reads_inputs_alone(&of.tree);
+        if own && !self.can_remember(&of.tree) {
+            let why = "an edge of what the chart itself changes";
+            return Err(self.not_remembered(why, at));
+        }
+        let acts = own && !model.is_grafcet() && matches!(self.moment, Moment::Moved(_) | Moment::Leaving);
+        let known = if acts { &self.acting } else { &self.edges };
+        if let Some(known) = known.get(&id) {
+            return Ok(known.clone());
+        }
+        let base = match &of.tree {
+            Tree::Read(Read::Name(name)) => self.name(*name).to_owned(),
+            Tree::Read(Read::Active(step)) => plain(&model.steps[*step].name),
+            _ => format!("edge_{}", id.index() + 1),
+        };
+        let names = ["rises", "falls", "was"].map(|what| self.names.own(&format!("{base}_{what}")));
+        let known = if acts { &mut self.acting } else { &mut self.edges };
+        known.insert(id, names.clone());
+        Ok(names)
+    }
+
+    pub(super) fn delay(&mut self, id: DelayId, at: &At<'_>) -> Result<Text, Refused> {
+        let of = &self.model.delays[id].of;
+        if !reads_inputs_alone(&of.tree) && !self.can_remember(&of.tree) {
+            return Err(self.not_remembered("the delay of what the chart itself changes", at));
+        }
+        if self.steps.is_some() {
+            return Err(refuse(at, "a delay", "in SFC of IEC 61131-3 let a step wait for its time"));
+        }
+        if !self.delays.contains_key(&id) {
+            let name = self.names.own(&format!("delay_{}", id.index() + 1));
+            self.delays.insert(id, name);
+        }
+        Ok(Text::word(self.delays[&id].clone()))
+    }
+
+    fn not_remembered(&self, what: &str, at: &At<'_>) -> Refused {
+        if self.steps.is_some() {
+            return refuse(at, what, "only edges of inputs are: ask for the step or the value itself");
+        }
+        let message = format!(
+            "{what} has no translation into the CASE form of structured text, but in transitions where it is one of inputs and steps: use the form of flip-flops"
+        );
+        Refused::at(at.mark, message)
+    }
+
+    /// Whether what an edge or a delay is of is seen at its moment.
+    fn can_remember(&self, tree: &Tree) -> bool {
+        match self.remembers {
+            Remembers::Inputs => false,
+            Remembers::Steps => {
+                let mut alone = !real::is_rust(tree);
+                tree.each_read(&mut |read| {
+                    alone &= match read {
+                        Read::Name(Name::Input(_) | Name::Param(_))
+                        | Read::Ticks(_)
+                        | Read::Active(_)
+                        | Read::MacroActive(_) => true,
+                        Read::Rising(id) | Read::Falling(id) => self.can_remember(&self.model.edges[id].of.tree),
+                        Read::Delay(id) => self.can_remember(&self.model.delays[id].of.tree),
+                        _ => false,
+                    }
+                });
+                alone
+            }
+            Remembers::All => true,
         }
     }
 }

@@ -4,7 +4,7 @@
 //! - `operators`, `bits`: operators between two values; those on the bits of integers
 //! - `variants`: lists of variants as numbers
 //! - `frame`: what both forms have in common: declarations, initial values, timers
-//! - `memory`: edges and delays
+//! - `memory`: edges and delays; `since`: times of steps and macro-steps
 //! - `fits`: what neither form can say
 //! - `action`, `own_writes`: what an association is, and what an effect does; what a block does
 //! - `case`, `flags`: the two forms
@@ -25,6 +25,7 @@ pub(crate) mod names;
 mod operators;
 mod own_writes;
 mod real;
+mod since;
 mod stubs;
 pub(crate) mod syntax;
 pub(crate) mod text;

@@ -107,7 +107,7 @@ impl Flags<'_> {
             return Ok(done);
         }
         let mut value =
-            vec![any(self.driven_by(&name, inputs, reset.as_ref(), &mut done)?.terms.into_values().collect())];
+            vec![any(self.driven_by(&name, &inputs, reset.as_ref(), &mut done)?.terms.into_values().collect())];
         value.extend(reset.map(|reset| not(Text::word(reset))));
         done.push(Statement::assign(name, all(value).text));
         Ok(done)
@@ -126,7 +126,7 @@ impl Flags<'_> {
     pub(super) fn driven_by(
         &mut self,
         name: &str,
-        inputs: Inputs<'_>,
+        inputs: &Inputs<'_>,
         reset: Option<&String>,
         done: &mut Vec<Statement>,
     ) -> Result<Driven, Refused> {

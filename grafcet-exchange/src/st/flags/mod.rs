@@ -6,26 +6,26 @@
 //! - `control`: continuous and stored actions of booleans, the standard's `ACTION_CONTROL`
 //! - `runs`: what runs: assignments, blocks, calls
 //! - `shared`: calls of one action by several associations of an `sfc`
+//! - `sees`: what actions see of steps, times and values
 //! - `remembers`: edges and delays of what the chart itself changes
 
 mod control;
 mod hierarchy;
 mod remembers;
 mod runs;
+mod sees;
 mod shared;
 mod situation;
 
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::analysis::hierarchy::initial_situation;
-use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Id, Model, PartialId, Place, Qualifier, StepId, TransitionId};
+use grafcet_compiler::model::{Effect, Id, Model, PartialId, Place, StepId, TransitionId};
 use grafcet_compiler::sorted::Set;
 
 use super::action::{Role, Written, places, reads, role, written};
-use super::expr::{At, Kind, Moment, Remembers, Scope, plain};
+use super::expr::{At, Kind, Remembers, Scope, plain};
 use super::frame::{self, Frame};
 use super::names::Names;
 use super::syntax::{Program, Statement, Variable};
@@ -315,74 +315,12 @@ impl<'m> Flags<'m> {
     fn again(&mut self, step: StepId) -> Text {
         all(vec![self.activated(step), self.deactivated(step)])
     }
-
-    /// What an action sees after the evolution.
-    fn after<T>(
-        &mut self,
-        association: &Association,
-        see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
-    ) -> Result<T, Refused> {
-        let (steps, before) = (self.steps.clone(), self.before.clone());
-        let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
-        // In a `grafcet` the timers have been called anew by then.
-        if !self.model.is_grafcet() {
-            // What is stored outlives its step.
-            let stored = matches!(association.qualifier, Qualifier::S | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl);
-            self.scope.moment = Moment::Moved((!stored).then_some(association.step));
-        }
-        let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark: association.mark });
-        self.scope.moment = Moment::Called;
-        seen
-    }
-
-    /// What an action sees that runs at an instant: in an `sfc` what there is behind the evolution, with these times, in a `grafcet` what there was
-    /// before it.
-    fn instant<T>(
-        &mut self,
-        moment: Moment,
-        mark: Mark,
-        see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
-    ) -> Result<T, Refused> {
-        let before = self.before.clone();
-        if !self.model.is_grafcet() {
-            let steps = self.steps.clone();
-            let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
-            self.scope.moment = moment;
-            let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark });
-            self.scope.moment = Moment::Called;
-            return seen;
-        }
-        let asked = RefCell::new(std::mem::take(&mut self.was));
-        let active = |step: StepId| {
-            asked.borrow_mut().insert(step);
-            let was = Text::word(&*self.was_names[step.index()]);
-            // The activation of the initial situation begins from nothing.
-            let begun = self.initial.contains(&step).then(|| Text::word(&*self.started));
-            Some(all(begun.into_iter().chain([was]).collect()))
-        };
-        let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark });
-        self.was = asked.into_inner();
-        seen
-    }
-
-    /// The flag of an association: its step, and its condition.
-    fn input(&mut self, association: &Association) -> Result<Text, Refused> {
-        let flag = self.flag(association.step);
-        let Some(condition) = &association.condition else { return Ok(flag) };
-        let stable = self.model.is_grafcet();
-        let nothing = BTreeMap::new();
-        let condition = self.after(association, |scope, at| {
-            let before = if stable { &nothing } else { at.before };
-            scope.expr(condition, &Kind::Bool, &At { before, ..*at })
-        })?;
-        Ok(all(vec![flag, condition]))
-    }
 }
 
 /// What several associations and transitions write.
 fn shared(model: &Model) -> BTreeSet<Place> {
     let associations = model.associations.values().map(|association| association.effect.writes());
-    let clearing = model.transitions.values().flat_map(|one| &one.clearing).map(|effect| effect.writes());
+    let clearing = model.transitions.values().flat_map(|one| &one.clearing).map(Effect::writes);
     let (mut once, mut shared) = (BTreeSet::new(), BTreeSet::new());
     for place in associations.chain(clearing).flatten() {
         if !once.insert(*place) {

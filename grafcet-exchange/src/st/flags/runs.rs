@@ -26,9 +26,7 @@ impl Flags<'_> {
         let (mut left, mut entered, mut rest) = (Vec::new(), Vec::new(), Vec::new());
         let mut controlled = BTreeSet::new();
         for (id, association) in model.associations.iter() {
-            if let Effect::Call(action, _) = association.effect
-                && let Some(all_of) = self.called_together(action)
-            {
+            if let Some((action, all_of)) = self.called_together(association) {
                 // Where the action first stands.
                 if all_of[0] == id {
                     self.of_action(action, &all_of, [&mut left, &mut entered, &mut rest])?;

@@ -57,22 +57,23 @@ fn drives(qualifier: Qualifier) -> bool {
 }
 
 impl<'m> Flags<'m> {
-    /// The associations that call an action, where they are not calls of their own.
-    pub(super) fn called_together(&self, action: ActionId) -> Option<Vec<AssociationId>> {
+    /// The action that an association calls, and all that call it, where these are not calls of their own.
+    pub(super) fn called_together(&self, association: &Association) -> Option<(ActionId, Vec<AssociationId>)> {
         let model = self.model;
+        let Effect::Call(action, _) = association.effect else { return None };
         let calls = |one: &Association| matches!(one.effect, Effect::Call(called, _) if called == action);
         let all_of: Vec<AssociationId> =
             model.associations.iter().filter(|(_, one)| calls(one)).map(|(id, _)| id).collect();
         let known = |id: &AssociationId| &model.associations[*id];
         if all_of.len() == 1 {
-            return (known(&all_of[0]).qualifier == Qualifier::R).then_some(all_of);
+            return (association.qualifier == Qualifier::R).then_some((action, all_of));
         }
         let kind = |id: &AssociationId| (known(id).step, known(id).qualifier);
         let apart = |(index, id): (usize, &AssociationId)| {
             matches!(known(id).qualifier, Qualifier::P1 | Qualifier::P0)
                 && all_of[..index].iter().all(|other| kind(other) != kind(id))
         };
-        (!self.single || !all_of.iter().enumerate().all(apart)).then_some(all_of)
+        (!self.single || !all_of.iter().enumerate().all(apart)).then_some((action, all_of))
     }
 
     /// What is asked before the first action runs, and the calls: with what ends, with what begins, and among the rest.
@@ -137,7 +138,7 @@ impl<'m> Flags<'m> {
         }
         let mut done = Vec::new();
         let reset = self.reset(&called.name, &mut inputs, &mut done);
-        let mut driven = self.driven_by(&called.name, inputs, reset.as_ref(), &mut done)?;
+        let mut driven = self.driven_by(&called.name, &inputs, reset.as_ref(), &mut done)?;
         for (qualifier, term) in &mut driven.terms {
             // Asked more than once.
             if term.strength != strength::WORD {
