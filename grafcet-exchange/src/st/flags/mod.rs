@@ -196,16 +196,7 @@ impl<'m> Flags<'m> {
         part(body, "What has been activated and deactivated by transitions, orders and enclosing steps", moved);
         part(body, "A step that is entered anew begins its time anew", restarts);
         part(body, "Edges that actions ask for, of what there is behind the evolution", acting);
-        // In a `grafcet` what lasts sees the times of the situation that has been reached.
-        let begin = "The times of steps, which begin with the step";
-        if model.is_grafcet() && !timers.is_empty() {
-            part(body, "Actions at an instant", instants);
-            part(body, begin, timers);
-            part(body, "Actions", actions);
-        } else {
-            part(body, "Actions", instants.into_iter().chain(actions).collect());
-            part(body, begin, timers);
-        }
+        acting_parts(body, model, timers, [instants, actions]);
         body.extend(ended);
         program.header = header::flags(model, &self.scope);
         program.renamed = self.scope.names.renamed.into_iter().collect();
@@ -314,6 +305,25 @@ impl<'m> Flags<'m> {
 
     fn again(&mut self, step: StepId) -> Text {
         all(vec![self.activated(step), self.deactivated(step)])
+    }
+}
+
+/// The actions, and the times that begin with the steps.
+fn acting_parts(
+    body: &mut Vec<Statement>,
+    model: &Model,
+    timers: Vec<Statement>,
+    [instants, actions]: [Vec<Statement>; 2],
+) {
+    // In a `grafcet` what lasts sees the times of the situation that has been reached.
+    let begin = "The times of steps, which begin with the step";
+    if model.is_grafcet() && !timers.is_empty() {
+        part(body, "Actions at an instant", instants);
+        part(body, begin, timers);
+        part(body, "Actions", actions);
+    } else {
+        part(body, "Actions", instants.into_iter().chain(actions).collect());
+        part(body, begin, timers);
     }
 }
 

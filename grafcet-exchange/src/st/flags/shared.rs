@@ -97,7 +97,10 @@ impl<'m> Flags<'m> {
         let mut callers = Vec::new();
         for (index, id) in all_of.iter().enumerate() {
             let association = &model.associations[*id];
-            let on = self.local(&format!("{name}_{}", index + 1));
+            let on = self.scope.names.own(&format!("{name}_{}", index + 1));
+            let step = plain(&model.steps[association.step].name);
+            let note = format!("{} of {step}", association.qualifier.word());
+            self.frame.variables.push(Variable::new(&*on, "BOOL").note(note));
             let value = self.asking(association)?;
             self.conditions.push(Statement::assign(&*on, value.text));
             callers.push(Caller { association, number: index + 1, on: Text::word(on) });
@@ -140,8 +143,9 @@ impl<'m> Flags<'m> {
         let reset = self.reset(&called.name, &mut inputs, &mut done);
         let mut driven = self.driven_by(&called.name, &inputs, reset.as_ref(), &mut done)?;
         for (qualifier, term) in &mut driven.terms {
-            // Asked more than once.
-            if term.strength != strength::WORD {
+            // Asked more than once; where nothing resets it, steps are asked themselves.
+            let once = reset.is_none() && matches!(qualifier, Qualifier::N | Qualifier::P);
+            if term.strength != strength::WORD && !once {
                 let flag = self.local(&format!("{}_{}_runs", called.name, qualifier.word()));
                 let asked = std::mem::replace(term, Text::word(&*flag));
                 done.push(Statement::assign(flag, asked.text));
@@ -153,7 +157,8 @@ impl<'m> Flags<'m> {
         value.extend(reset.as_ref().map(|reset| not(Text::word(&**reset))));
         done.push(Statement::assign(&*runs, all(value).text));
         let acts = self.acts(called, &driven, &mut done);
-        done.push(Statement::when(&*runs, vec![acts]));
+        // Without a reset one acts whenever it runs.
+        done.push(if reset.is_some() { Statement::when(&*runs, vec![acts]) } else { acts });
         called.by_leaving = self.by_leaving(called, &runs, reset.is_some(), &driven.terms, &mut done);
         called.runs = Some([Text::word(runs), Text::word(ran)]);
         self.conditions.extend(done);
@@ -280,7 +285,12 @@ impl<'m> Flags<'m> {
         let mut who = Vec::new();
         for caller in called.callers.iter().rev() {
             match (caller.association.qualifier, &called.runs) {
-                (Qualifier::P1, _) => who.push((caller.on.text.clone(), caller)),
+                (Qualifier::P1, _) => {
+                    who.push((caller.on.text.clone(), caller));
+                    if called.with(Qualifier::P1).count() == 1 {
+                        break;
+                    }
+                }
                 (qualifier, Some([runs, _])) if drives(qualifier) => {
                     let acts = Text::order(format!("{} = {}", called.by, caller.number));
                     who.push((all(vec![runs.clone(), acts]).text, caller));
