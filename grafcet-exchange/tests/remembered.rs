@@ -94,6 +94,10 @@ fn delays_of_what_a_grafcet_changes() {
         (130, ON, &[0, 0, 0, 1]),
     ];
     shows(chart, FLIP_FLOPS, &names, rows);
+    let numbers: Vec<[i128; 1]> = [10, 20, 20, 20, 30, 20, 20, 40].map(|number| [number]).into();
+    let case: Vec<Row<'_>> =
+        rows.iter().zip(&numbers).map(|((now, inputs, _), shown)| (*now, *inputs, &shown[..])).collect();
+    shows(chart, (Form::Case, None), &["StepNo"], &case);
 }
 
 /// It goes off late, too, and in an `sfc` is looked at in each scan.
@@ -196,19 +200,9 @@ fn times_that_share_a_timer() {
 fn calls_that_share_an_action() {
     let chart = "sfc C { input a, b: bool; action heat(to: u8); initial step A { N heat(4); } step B { SD 20ms heat(6); } step E { R heat(0); P1 heat(9); }
         A -[a]-> B -[b]-> E -[!a]-> A; }";
-    let text = structured_text(&model(chart), &Options { form: Form::FlipFlops, ..Options::default() })
-        .expect("a translation")
-        .text;
-    let mut machine = Machine::new(&text).expect("structured text");
-    let mut calls = |now, a, b| {
-        machine.now = now;
-        machine.set("a", Value::Bool(a)).expect("an input");
-        machine.set("b", Value::Bool(b)).expect("an input");
-        machine.scan().expect("a scan");
-        let numbers = |call: &machine::Call| call.arguments.iter().map(|value| value.number()).collect::<Vec<i128>>();
-        machine.calls.iter().map(numbers).collect::<Vec<_>>()
-    };
-    assert_eq!(calls(0, false, false), [[0, 4]], "{text}");
+    let mut machine = calling(chart);
+    let mut calls = |now, a, b| calls_of(&mut machine, now, a, b).into_iter().map(|(_, told)| told).collect::<Vec<_>>();
+    assert_eq!(calls(0, false, false), [[0, 4]]);
     assert_eq!(calls(10, false, false), [[1, 4]]);
     assert_eq!(calls(20, true, false), [[2, 4]], "the final call of the step left");
     assert!(calls(39, true, false).is_empty());
@@ -217,6 +211,51 @@ fn calls_that_share_an_action() {
     assert_eq!(calls(60, true, true), [[0, 9], [2, 6]], "P1 is one call, the end by R another, among the rest");
     assert!(calls(70, true, true).is_empty());
     assert_eq!(calls(80, false, true), [[0, 4]]);
+}
+
+fn calling(chart: &str) -> Machine {
+    let options = Options { form: Form::FlipFlops, ..Options::default() };
+    let text = structured_text(&model(chart), &options).unwrap_or_else(|refused| panic!("{refused:?}")).text;
+    Machine::new(&text).expect("structured text")
+}
+
+/// The calls of a scan: of which action, and what it is told, the phase first.
+fn calls_of(machine: &mut Machine, now: u64, a: bool, b: bool) -> Vec<(String, Vec<i128>)> {
+    machine.now = now;
+    machine.set("a", Value::Bool(a)).expect("an input");
+    machine.set("b", Value::Bool(b)).expect("an input");
+    machine.scan().expect("a scan");
+    let told = |call: &machine::Call| call.arguments.iter().map(|value| value.number()).collect();
+    machine.calls.iter().map(|call| (call.instance.clone(), told(call))).collect()
+}
+
+/// P0 beside the end of what is stored: one call, the final one, with the arguments of P0.
+#[test]
+fn a_final_call_beside_p0() {
+    let mut machine = calling(
+        "sfc C { input a, b: bool; action heat(to: u8); initial step A { S heat(4); } step B { P0 heat(5); } step E { R heat(0); }
+        A -[a]-> B -[b]-> E -[!a]-> A; }",
+    );
+    let heat = |told: [i128; 2]| vec![("heat".to_owned(), told.to_vec())];
+    assert_eq!(calls_of(&mut machine, 0, false, false), heat([0, 4]));
+    assert_eq!(calls_of(&mut machine, 10, true, false), heat([1, 4]));
+    assert_eq!(calls_of(&mut machine, 20, true, true), heat([2, 5]));
+    assert_eq!(calls_of(&mut machine, 30, true, true), []);
+}
+
+/// A delay ends where its step is entered anew, too: its final call stands in front of what begins.
+#[test]
+fn a_delayed_call_of_a_step_that_is_entered_anew() {
+    let mut machine = calling(
+        "sfc C { input a, b: bool; action heat(to: u8); action mark(); initial step A { D 20ms heat(4); P1 mark(); } step B { N heat(5); }
+        A -[b]-> B -[!b]-> A; A -[rising(a) && !b]-> A; }",
+    );
+    let (heat, mark) = (|told: [i128; 2]| ("heat".to_owned(), told.to_vec()), ("mark".to_owned(), vec![0]));
+    assert_eq!(calls_of(&mut machine, 0, false, false), [mark.clone()]);
+    assert_eq!(calls_of(&mut machine, 20, false, false), [heat([0, 4])]);
+    assert_eq!(calls_of(&mut machine, 30, true, false), [heat([2, 4]), mark]);
+    assert_eq!(calls_of(&mut machine, 49, true, false), []);
+    assert_eq!(calls_of(&mut machine, 50, true, false), [heat([0, 4])]);
 }
 
 /// What nothing drives R does not end: a block and an assignment have an action control of their own.
