@@ -151,6 +151,15 @@ fn what_runs_once_in_a_grafcet_sees_what_there_was() {
     shows(chart, FLIP_FLOPS, &["last", "own", "n"], rows);
 }
 
+/// The initial situation is activated from nothing.
+#[test]
+fn what_the_first_activation_sees() {
+    let chart = "grafcet C { input a: bool; output n: u8; initial step A { P1 { if A.X { n = 1; } else { n = 2; } } } step B { P1 { if A.X { n = 3; } } }
+        A -[a]-> B -[!a]-> A; }";
+    let rows: &[Row<'_>] = &[(0, OFF, &[2]), (10, ON, &[3]), (20, OFF, &[2])];
+    shows(chart, FLIP_FLOPS, &["n"], rows);
+}
+
 /// A macro-step is active since the first of its steps was.
 #[test]
 fn times_of_macro_steps() {
@@ -251,7 +260,7 @@ fn a_delayed_call_of_a_step_that_is_entered_anew() {
         A -[b]-> B -[!b]-> A; A -[rising(a) && !b]-> A; }",
     );
     let (heat, mark) = (|told: [i128; 2]| ("heat".to_owned(), told.to_vec()), ("mark".to_owned(), vec![0]));
-    assert_eq!(calls_of(&mut machine, 0, false, false), [mark.clone()]);
+    assert_eq!(calls_of(&mut machine, 0, false, false), std::slice::from_ref(&mark));
     assert_eq!(calls_of(&mut machine, 20, false, false), [heat([0, 4])]);
     assert_eq!(calls_of(&mut machine, 30, true, false), [heat([2, 4]), mark]);
     assert_eq!(calls_of(&mut machine, 49, true, false), []);
