@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use grafcet_compiler::model::{
-    ActionId, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Statement as Rust, Tree,
+    ActionId, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Tree,
 };
 
-use super::expr::{At, Scope, kind, plain};
+use super::expr::{At, Kind, Scope, kind, plain};
 use super::names::Names;
 use super::syntax::{Statement, Stub, Variable};
-use super::variants;
+use super::{own_writes, variants};
 use crate::Refused;
 
 /// What an association is for a program.
@@ -30,6 +30,8 @@ pub(crate) enum Role {
     /// What runs in each scan in which its qualifier drives it: an assignment to a variable, a block, a call; of an `sfc` that of an output, too,
     /// after another qualifier than N.
     Body,
+    /// It has no effect.
+    Nothing,
 }
 
 /// What it is; refused where neither form knows it.
@@ -42,7 +44,9 @@ pub(crate) fn role(model: &Model, association: &Association) -> Result<Role, Ref
         (_, P1) => Role::Activation,
         (_, P0) => Role::Deactivation,
         (_, On) => Role::Event,
-        // What another association drives would end here.
+        // A block and an assignment have an action control of their own, which nothing else drives.
+        (Effect::Assign(..) | Effect::Block(_), R) if !model.is_grafcet() => Role::Nothing,
+        (Effect::Call(..), R) if !model.is_grafcet() => Role::Body,
         (Effect::Assign(..) | Effect::Block(_) | Effect::Call(..), R) => return Err(runs(association)),
         // In an `sfc` what is assigned after another qualifier than N is written, and so runs.
         (Effect::Assign(Place::Output(_), _), _) if qualifier != N && !model.is_grafcet() => Role::Body,
@@ -78,6 +82,7 @@ pub(crate) fn written(model: &Model) -> Result<BTreeMap<Place, Written>, Vec<Ref
         match role(model, association) {
             Ok(Role::Continuous(place)) => all.entry(place).or_default().continuous = true,
             Ok(Role::Set(place) | Role::Reset(place)) => all.entry(place).or_default().set_or_reset = true,
+            Ok(Role::Nothing) => {}
             Ok(_) => {
                 for place in association.effect.writes() {
                     all.entry(*place).or_default().otherwise = true;
@@ -116,29 +121,9 @@ pub(crate) fn run(
                 );
                 return Err(Refused::at(at.mark, message));
             };
-            // It sees its own writes.
-            let mut before = at.before.clone();
-            before.retain(|place, _| !code.writes.contains(place));
-            block(scope, statements, &At { before: &before, ..*at })
+            own_writes::block(scope, code, statements, at)
         }
     }
-}
-
-fn block(scope: &mut Scope<'_>, statements: &[Rust], at: &At<'_>) -> Result<Vec<Statement>, Refused> {
-    let mut done = Vec::new();
-    for statement in statements {
-        done.push(match statement {
-            Rust::Assign(place, value) => {
-                let value = valued(scope, *place, value, at)?;
-                Statement::assign(scope.place(*place), value)
-            }
-            Rust::If(condition, then, otherwise) => {
-                let condition = scope.tree(condition, &super::expr::Kind::Bool, at)?.text;
-                Statement::If(vec![(condition, block(scope, then, at)?)], block(scope, otherwise, at)?)
-            }
-        });
-    }
-    Ok(done)
 }
 
 /// The value that is assigned to a place.
@@ -147,7 +132,7 @@ pub(crate) fn assigned(scope: &mut Scope<'_>, place: Place, value: &Expr, at: &A
 }
 
 /// The same of a tree. Of listed variants it is a number, or what has the same list.
-fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Result<String, Refused> {
+pub(super) fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Result<String, Refused> {
     let wanted = kind_of(scope.model, place, at)?;
     if let Some(listed) = scope.model.variants_of(place.into()) {
         if let Some(number) = variants::listed_value(listed, value) {
@@ -160,10 +145,12 @@ fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Res
             return Err(Refused::at(at.mark, message));
         }
     }
-    Ok(scope.tree(value, &wanted, at)?.text)
+    let text = scope.tree(value, &wanted, at)?.text;
+    scope.tells(&wanted, &text);
+    Ok(text)
 }
 
-fn kind_of(model: &Model, place: Place, at: &At<'_>) -> Result<super::expr::Kind, Refused> {
+fn kind_of(model: &Model, place: Place, at: &At<'_>) -> Result<Kind, Refused> {
     let name = Name::from(place);
     super::expr::kind_of(model, name)
         .ok_or_else(|| Refused::at(at.mark, format!("`{}` is of no type of structured text", model.place_name(place))))
@@ -213,11 +200,19 @@ impl Scope<'_> {
                 let message = format!("the parameter `{name}` of `{}` is of no type of structured text", action.name);
                 return Err(Refused::at(at.mark, message));
             };
-            given.push(format!("{name} := {}", scope.expr(argument, &kind, at)?.text));
+            let value = scope.expr(argument, &kind, at)?.text;
+            scope.tells(&kind, &value);
+            given.push(format!("{name} := {value}"));
             inputs.push(Variable::new(name, kind.name()));
         }
         let name = scope.action(id, inputs, rust);
         Ok(Statement::Call(format!("{name}({})", given.join(", "))))
+    }
+
+    /// What is stored or told may be the time of a step.
+    fn tells(&mut self, kind: &Kind, text: &str) {
+        let reached = |name: &String| text.contains(&**name);
+        self.tells_times |= *kind == Kind::Time && (text.contains(".ET") || self.reached.values().any(reached));
     }
 
     /// The instance of the function block that stands for an action.
@@ -271,7 +266,7 @@ pub(crate) fn shared_calls(model: &Model, refused: &mut Vec<Refused>) {
         let same_step = first != id && model.associations[first].step == association.step;
         if qualifier != association.qualifier || same_step {
             let name = &model.actions[action].name;
-            refused.push(Refused::at(association.mark, format!("`{name}` is called by two kinds of associations, or twice by one step: structured text of these forms has one kind of call for an action")));
+            refused.push(Refused::at(association.mark, format!("`{name}` is called by two kinds of associations, or twice by one step, and the CASE form has one kind of call for an action: use the form of flip-flops")));
         }
     }
 }

@@ -1,16 +1,17 @@
 //! Expressions, in the words of structured text.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
-    ActionId, Binary, Blink, Blinker, DelayId, EdgeId, Expr, Id, Integer, Model, Name, Place, Read, StepId, TimeRef,
-    Tree, Ty, Unary,
+    ActionId, Binary, DelayId, EdgeId, Expr, Integer, MacroId, Model, Name, Place, Read, StepId, TimeRef, Tree, Ty,
+    Unary,
 };
 
 use super::names::Names;
-use super::syntax::Stub;
-use super::text::{Text, all, any, not, strength};
+use super::since::may_read_times;
+use super::syntax::{Stub, Variable};
+use super::text::{Text, any, not, strength};
 use super::{real, time};
 use crate::Refused;
 
@@ -81,13 +82,26 @@ pub(crate) struct At<'a> {
     pub(crate) mark: Mark,
 }
 
+/// Of what edges and delays can be.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Remembers {
+    /// Of inputs and parameters.
+    Inputs,
+    /// Of steps, too.
+    Steps,
+    /// Of all.
+    All,
+}
+
 /// What the timers of steps show.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Moment {
     /// They have been called on the situation that counts.
     Called,
     /// Steps but this one may have been left since then: these timers show the times that they had reached.
-    Moved(StepId),
+    Moved(Option<StepId>),
+    /// The same, of what runs last of all steps that are left: of those that are entered anew it asks for the time that they had reached.
+    Leaving,
     /// They have been called after the evolution, of an action of this step: those of what has been left have begun anew.
     Begun(StepId),
 }
@@ -97,10 +111,22 @@ pub(crate) struct Scope<'m> {
     pub(crate) model: &'m Model,
     pub(crate) names: Names,
     values: BTreeMap<Name, String>,
+    /// What several associations write.
+    pub(crate) shared: BTreeSet<Place>,
+    /// What blocks have copies of.
+    pub(crate) copies: Vec<Variable>,
+    /// Steps that can be left and entered at once, and the names of the times that they had reached.
+    pub(crate) reentered: BTreeSet<StepId>,
+    pub(crate) reached: BTreeMap<StepId, String>,
     /// The timers of steps.
     pub(crate) timers: BTreeMap<StepId, String>,
+    pub(crate) macro_timers: BTreeMap<MacroId, String>,
     /// Of an edge the variables for rising, falling and the value before.
     pub(crate) edges: BTreeMap<EdgeId, [String; 3]>,
+    /// The same of edges in the actions of an `sfc`, which compare what there is behind the evolution.
+    pub(crate) acting: BTreeMap<EdgeId, [String; 3]>,
+    /// Of what edges and delays can be.
+    pub(crate) remembers: Remembers,
     pub(crate) delays: BTreeMap<DelayId, String>,
     pub(crate) stubs: Vec<Stub>,
     /// The names of stubs, by what they stand for.
@@ -112,12 +138,11 @@ pub(crate) struct Scope<'m> {
     /// Something blinks.
     pub(crate) blinks: bool,
     pub(crate) moment: Moment,
+    /// The time of a step is stored.
+    pub(crate) tells_times: bool,
     /// Times are added.
     pub(crate) adds_times: bool,
 }
-
-/// A time as a number.
-const MILLISECONDS: &str = "TIME_TO_DINT";
 
 /// Steps as the language itself has them: with `Step.X` and `Step.T`.
 pub(crate) struct Steps {
@@ -135,8 +160,15 @@ impl<'m> Scope<'m> {
             model,
             names,
             values: BTreeMap::new(),
+            shared: BTreeSet::new(),
+            copies: Vec::new(),
+            reentered: BTreeSet::new(),
+            reached: BTreeMap::new(),
             timers: BTreeMap::new(),
+            macro_timers: BTreeMap::new(),
             edges: BTreeMap::new(),
+            acting: BTreeMap::new(),
+            remembers: Remembers::Inputs,
             delays: BTreeMap::new(),
             stubs: Vec::new(),
             called: BTreeMap::new(),
@@ -144,6 +176,7 @@ impl<'m> Scope<'m> {
             steps: None,
             blinks: false,
             moment: Moment::Called,
+            tells_times: false,
             adds_times: false,
         };
         let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
@@ -188,10 +221,8 @@ impl<'m> Scope<'m> {
             }),
             Tree::Read(read) => self.read(*read, at),
             Tree::Elapsed(time, step) => self.elapsed(*time, *step, at),
+            Tree::MacroElapsed(time, id) => self.macro_elapsed(*time, *id, at),
             _ if self.is_of_bits(tree, wanted) => self.of_bits(tree, wanted, at),
-            Tree::MacroElapsed(..) => {
-                Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
-            }
             Tree::Unary(Unary::Not, inner) => Ok(not(self.tree(inner, &Kind::Bool, at)?)),
             Tree::Unary(Unary::Neg, inner) => {
                 let inner = self.tree(inner, wanted, at)?.within(strength::UNARY);
@@ -209,7 +240,7 @@ impl<'m> Scope<'m> {
         let place = |place: Place, name: &str| at.before.get(&place).map_or(name, String::as_str).to_owned();
         let active = |step| {
             (at.active)(step).ok_or_else(|| {
-                Refused::at(at.mark, "which step is active cannot be asked here in this form of structured text: read a variable that the step sets")
+                Refused::at(at.mark, "which step is active cannot be asked here in the CASE form of structured text: read a variable that the step sets, or use the form of flip-flops")
             })
         };
         match read {
@@ -240,63 +271,11 @@ impl<'m> Scope<'m> {
             Read::Delay(delay) => self.delay(delay, at),
             Read::Ticks(ticks) => time::literal(self.model, ticks, at.mark).map(Text::word),
             Read::Elapsed(time, step) => self.elapsed(time, step, at),
-            Read::MacroSince(_) | Read::MacroElapsed(..) => {
-                Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
-            }
+            Read::MacroSince(id) => self.macro_since(id, at).map(Text::word),
+            Read::MacroElapsed(time, id) => self.macro_elapsed(time, id, at),
             Read::Blink(blink) => self.blink(blink, at),
             Read::Memory(_) => Err(refuse(at, "an edge or a delay of a property", "leave it out")),
         }
-    }
-
-    /// True and false in turn since the step was activated: where in its period the time of the step is.
-    fn blink(&mut self, blink: Blink, at: &At<'_>) -> Result<Text, Refused> {
-        let Blinker::Step(step) = blink.of else {
-            return Err(refuse(at, "`blink` since a macro-step", "name one of its steps, `blink(1s, Step)`"));
-        };
-        if self.steps.is_some() {
-            return Err(refuse(at, "`blink`", "write it as two steps, each with its time"));
-        }
-        may_read_times(at)?;
-        let [on, off] = [blink.on, blink.off].map(|ticks| time::milliseconds(self.model, ticks, at.mark));
-        let (on, off) = (on?, off?);
-        let active = self.read(Read::Active(step), at)?;
-        self.blinks = true;
-        let place = Text::order(format!("{MILLISECONDS}({}) MOD {} < {on}", self.since(step), on + off));
-        Ok(all(vec![active, place]))
-    }
-
-    fn elapsed(&mut self, time: TimeRef, step: StepId, at: &At<'_>) -> Result<Text, Refused> {
-        may_read_times(at)?;
-        let limit = self.time(time, at.mark)?;
-        let reached = Text::order(format!("{} >= {limit}", self.since(step)));
-        // The timer of a step that is not active is at zero: only a time that may be zero asks for more.
-        let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step))
-            && !matches!(self.moment, Moment::Moved(own) if own != step);
-        if at_zero && matches!(time, TimeRef::Ticks(1..)) {
-            return Ok(reached);
-        }
-        let active = self.read(Read::Active(step), at)?;
-        Ok(all(vec![active, reached]))
-    }
-
-    /// How long a step has been active.
-    fn since(&mut self, step: StepId) -> String {
-        match &self.steps {
-            Some(steps) => format!("{}.T", steps.names[step.index()]),
-            None => format!("{}.ET", self.timer(step)),
-        }
-    }
-
-    /// Rising or falling.
-    fn edge_of(&mut self, id: EdgeId, which: usize, at: &At<'_>) -> Result<Text, Refused> {
-        let names = self.edge(id, at)?;
-        if self.steps.is_none() {
-            return Ok(Text::word(names[which].clone()));
-        }
-        let model = self.model;
-        let now = self.tree(&model.edges[id].of.tree, &Kind::Bool, at)?;
-        let was = Text::word(names[2].clone());
-        Ok(all(if which == 0 { vec![now, not(was)] } else { vec![not(now), was] }))
     }
 
     /// A time as a literal or a name.
@@ -306,38 +285,6 @@ impl<'m> Scope<'m> {
             TimeRef::Param(id) => Ok(self.name(Name::Param(id)).to_owned()),
             TimeRef::Var(id) => Ok(self.name(Name::Var(id)).to_owned()),
         }
-    }
-
-    fn edge(&mut self, id: EdgeId, at: &At<'_>) -> Result<[String; 3], Refused> {
-        if let Some(known) = self.edges.get(&id) {
-            return Ok(known.clone());
-        }
-        let of = &self.model.edges[id].of;
-        if !reads_inputs_alone(&of.tree) {
-            let why = "an edge of what the chart itself changes";
-            return Err(refuse(at, why, "only edges of inputs are: ask for the step or the value itself"));
-        }
-        let base = match &of.tree {
-            Tree::Read(Read::Name(name)) => self.name(*name).to_owned(),
-            _ => format!("edge_{}", id.index() + 1),
-        };
-        let names = ["rises", "falls", "was"].map(|what| self.names.own(&format!("{base}_{what}")));
-        self.edges.insert(id, names.clone());
-        Ok(names)
-    }
-
-    fn delay(&mut self, id: DelayId, at: &At<'_>) -> Result<Text, Refused> {
-        if !reads_inputs_alone(&self.model.delays[id].of.tree) {
-            return Err(refuse(at, "the delay of what the chart itself changes", "only delays of inputs are"));
-        }
-        if self.steps.is_some() {
-            return Err(refuse(at, "a delay", "in SFC of IEC 61131-3 let a step wait for its time"));
-        }
-        if !self.delays.contains_key(&id) {
-            let name = self.names.own(&format!("delay_{}", id.index() + 1));
-            self.delays.insert(id, name);
-        }
-        Ok(Text::word(self.delays[&id].clone()))
     }
 
     /// What an expression is, where that can be told.
@@ -383,13 +330,4 @@ pub(crate) fn plain(name: &proc_macro2::Ident) -> String {
 
 pub(super) fn refuse(at: &At<'_>, what: &str, mend: &str) -> Refused {
     Refused::at(at.mark, format!("{what} has no translation into structured text; {mend}"))
-}
-
-fn may_read_times(at: &At<'_>) -> Result<(), Refused> {
-    if at.times {
-        return Ok(());
-    }
-    let message =
-        "the time of a step cannot be read by what runs once: in structured text the timer is another one by then";
-    Err(Refused::at(at.mark, message))
 }

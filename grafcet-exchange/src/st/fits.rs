@@ -20,10 +20,6 @@ pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
     if refused.is_empty() && form == Form::Case {
         refused.extend(several(model));
     }
-    // In a `grafcet` each transition for which it stands clears, and none of those that it stops does, by what they ask for.
-    if refused.is_empty() && form == Form::FlipFlops && !model.is_grafcet() {
-        anys(model, &mut refused);
-    }
     refused
 }
 

@@ -1,12 +1,11 @@
-//! What both forms have in common: what is declared, initial values, edges, delays and timers.
+//! What both forms have in common: what is declared, initial values, and timers.
 
 use std::collections::BTreeMap;
 
-use grafcet_compiler::model::{Expr, Model, Name, Place, TimeRef, Variants};
+use grafcet_compiler::model::{Expr, Model, Name, Place, Variants};
 
 use super::expr::{At, Kind, Scope, kind_of};
 use super::syntax::{Program, Statement, Variable};
-use super::text::{Text, all, not};
 use super::time::LONGEST;
 use super::{real, variants};
 use crate::Refused;
@@ -33,62 +32,6 @@ impl Frame {
         self.variables.push(Variable::new(name, "TON").note(note));
         self.init.push(Statement::Call(format!("{name}(IN := FALSE, PT := {LONGEST})")));
     }
-
-    /// Edges, with whether there has been a scan before.
-    pub(crate) fn edges(&mut self, scope: &mut Scope<'_>, started: &str) -> Result<Vec<Statement>, Refused> {
-        let mut statements = Vec::new();
-        for (id, [rises, falls, was]) in scope.edges.clone() {
-            let of = &scope.model.edges[id].of;
-            let value = input(scope, of)?;
-            for (name, note) in [(&rises, "rises"), (&falls, "falls")] {
-                self.variables.push(Variable::new(name, "BOOL").note(format!("{} {note}", of.text)));
-            }
-            self.variables.push(Variable::new(&was, "BOOL").note("in the scan before"));
-            let rise = all(vec![Text::word(started), input(scope, of)?, not(Text::word(&was))]);
-            let fall = all(vec![Text::word(started), not(input(scope, of)?), Text::word(&was)]);
-            statements.push(Statement::assign(rises, rise.text));
-            statements.push(Statement::assign(falls, fall.text));
-            statements.push(Statement::assign(was, value.text));
-        }
-        Ok(statements)
-    }
-
-    /// Delays of inputs.
-    pub(crate) fn delays(&mut self, scope: &mut Scope<'_>) -> Result<Vec<Statement>, Refused> {
-        let mut statements = Vec::new();
-        for (id, name) in scope.delays.clone() {
-            let delay = &scope.model.delays[id];
-            let value = input(scope, &delay.of)?;
-            self.remember(Variable::new(&name, "BOOL").init("FALSE").note(format!("{}, delayed", delay.of.text)));
-            let on = scope.names.own(&format!("{name}_on"));
-            self.timer(&on, "since it is true");
-            statements.push(Statement::Call(format!("{on}(IN := {}, PT := {LONGEST})", value.text)));
-            let limit = scope.time(delay.on, delay.of.mark)?;
-            let reached = all(vec![value, Text::order(format!("{on}.ET >= {limit}"))]);
-            if delay.off == TimeRef::Ticks(0) {
-                statements.push(Statement::assign(name, reached.text));
-                continue;
-            }
-            let off = scope.names.own(&format!("{name}_off"));
-            self.timer(&off, "since it is false");
-            let no = not(input(scope, &delay.of)?);
-            statements.push(Statement::Call(format!("{off}(IN := {}, PT := {LONGEST})", no.text)));
-            let limit = scope.time(delay.off, delay.of.mark)?;
-            let over = all(vec![no, Text::order(format!("{off}.ET >= {limit}"))]);
-            let branches = vec![
-                (reached.text, vec![Statement::assign(&*name, "TRUE")]),
-                (over.text, vec![Statement::assign(&*name, "FALSE")]),
-            ];
-            statements.push(Statement::If(branches, Vec::new()));
-        }
-        Ok(statements)
-    }
-}
-
-/// An expression over inputs alone.
-fn input(scope: &mut Scope<'_>, of: &Expr) -> Result<Text, Refused> {
-    let at = At { active: &|_| None, before: &BTreeMap::new(), times: false, mark: of.mark };
-    scope.expr(of, &Kind::Bool, &at)
 }
 
 /// The value at the beginning.

@@ -4,12 +4,13 @@ use grafcet_compiler::model::Model;
 
 use super::Order;
 use super::expr::{Scope, plain};
+use super::memory::is_of_inputs;
 
 pub(super) fn case(model: &Model, scope: &Scope<'_>, order: Order) -> Vec<String> {
     if order == Order::EvolveFirst {
         let mut lines = begin(model, "a CASE for the transitions and one for the actions of the active step");
         lines.push("Evolve, then act: in each scan the transitions of the active step come first, then the actions of the step that has been reached.".to_owned());
-        evolved(model, &mut lines);
+        evolved(model, scope, &mut lines);
         end(model, scope, &mut lines);
         return lines;
     }
@@ -34,16 +35,19 @@ pub(super) fn flags(model: &Model, scope: &Scope<'_>) -> Vec<String> {
     if !model.forces.is_empty() || model.partials.values().any(|partial| partial.enclosed_by.is_some()) {
         lines.push("Partial grafcets stand from the top of the hierarchy to its bottom: an order, and an enclosing step that is entered or left, puts what is below it into its situation in the same scan, and nothing clears there.".to_owned());
     }
-    evolved(model, &mut lines);
+    evolved(model, scope, &mut lines);
     end(model, scope, &mut lines);
     lines
 }
 
 /// What differs where the evolution comes first.
-fn evolved(model: &Model, lines: &mut Vec<String>) {
+fn evolved(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
     if model.is_grafcet() {
         lines.push("What differs from the chart: one evolution a scan. A step that the chart only passes lasts for a scan, and its continuous actions show.".to_owned());
         lines.push("The first scan only enters the initial steps.".to_owned());
+        if scope.delays.keys().any(|id| !is_of_inputs(model, *id)) {
+            lines.push("A delay of what the chart itself changes is looked at in the scans that begin with what the scan before has left as it was: a step that the chart only passes does not interrupt it.".to_owned());
+        }
     } else {
         lines.push("Each scan does what a cycle of the chart does.".to_owned());
     }
@@ -58,7 +62,7 @@ fn begin(model: &Model, form: &str) -> Vec<String> {
 }
 
 fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
-    if !scope.timers.is_empty() {
+    if !scope.timers.is_empty() || !scope.macro_timers.is_empty() {
         lines.push(
             "The timers of steps are called twice in a scan: to read them, and to begin with the step.".to_owned(),
         );
@@ -67,6 +71,9 @@ fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
         lines.push(
             "What blinks stands still where its step is active for more than 24 days: so far a TON counts.".to_owned(),
         );
+    }
+    if scope.tells_times {
+        lines.push("The time of a step that is stored or told ends at 24 days: so far a TON counts.".to_owned());
     }
     if scope.adds_times {
         lines.push("Sums of times end at the longest time, which in the chart is a time of so many ticks and here of so many milliseconds.".to_owned());

@@ -3,9 +3,10 @@
 //! - `syntax`, `names`, `time`, `text`, `expr`, `stubs`: programs, names, times and expressions of structured text, and functions to be written
 //! - `operators`, `bits`: operators between two values; those on the bits of integers
 //! - `variants`: lists of variants as numbers
-//! - `frame`: what both forms have in common: declarations, initial values, edges, delays, timers
+//! - `frame`: what both forms have in common: declarations, initial values, timers
+//! - `memory`: edges and delays; `since`: times of steps and macro-steps
 //! - `fits`: what neither form can say
-//! - `action`: what an association is, and what an effect does
+//! - `action`, `own_writes`: what an association is, and what an effect does; what a block does
 //! - `case`, `flags`: the two forms
 //! - `header`: what the program says of itself
 //! - `flavour`: the program as CODESYS and TIA Portal take it
@@ -19,9 +20,12 @@ mod flags;
 mod flavour;
 pub(crate) mod frame;
 pub(crate) mod header;
+mod memory;
 pub(crate) mod names;
 mod operators;
+mod own_writes;
 mod real;
+mod since;
 mod stubs;
 pub(crate) mod syntax;
 pub(crate) mod text;

@@ -2,13 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_compiler::model::{Id, Model, Name, Ty, VarId};
+use grafcet_compiler::model::{Effect, Id, Model, Name, Qualifier, Ty, VarId};
 use grafcet_exchange::st::{Form, Order, StructuredText};
-use grafcet_sim::interp::{self, Interpreter};
+use grafcet_sim::interp::{self, Cycle, Interpreter};
 
 use crate::machine::{Dialect, Machine, Real, Value};
 use crate::reader::{Kind, Line};
 use crate::shifted::Shifted;
+
+/// After so many cycles or scans with the same inputs nothing changes any more.
+const MOST: usize = 300;
 
 /// So long a timer counts.
 const LONGEST_MS: u64 = (1 << 31) - 1;
@@ -25,7 +28,8 @@ pub(crate) fn compare(
     let Ok(oracle) = Interpreter::new(model) else { return Ok(0) };
     let names = program.renamed.iter().cloned().collect();
     let mut pair = Pair { names, model, oracle, machine, init: false, fresh: true, last: None, ms: 0 };
-    let blinks = program.text.contains("TIME_TO_DINT");
+    let ends =
+        ["What blinks stands still", "that is stored or told ends"].iter().any(|note| program.text.contains(note));
     let mut shifted = Shifted::of(model);
     if form == Form::Case && order.is_none() && !model.is_grafcet() && !shifted.can_be_compared() {
         return Ok(0);
@@ -41,8 +45,8 @@ pub(crate) fn compare(
             Kind::Params(changed) => pair.params(changed).map_err(at)?,
             Kind::Cycle { inputs, now, .. } | Kind::Force { inputs, now, .. } => {
                 pair.inputs(inputs, *now).map_err(at)?;
-                // A TON counts no further, and what blinks stands still, as the program says.
-                if blinks && pair.ms > LONGEST_MS {
+                // A TON counts no further, as the program says.
+                if ends && pair.ms > LONGEST_MS {
                     return Ok(compared);
                 }
                 let values = values(model, inputs);
@@ -138,38 +142,86 @@ impl Pair<'_> {
         self.scan()?;
         self.steps(form)?;
         self.places()?;
+        self.same_calls(&cycle)?;
+        Ok(true)
+    }
+
+    /// A scan is an evolution: both are run with the same inputs at the same time until nothing changes them, and then show the same. A cycle in which
+    /// nothing evolves is one scan, which shows what it shows.
+    fn settled(&mut self, inputs: &[interp::Value], now: u32, form: Form) -> Result<bool, String> {
+        let mut calls = [Vec::new(), Vec::new()];
+        let mut before = None;
+        for number in 0..MOST {
+            let Ok(cycle) = self.oracle.cycle(inputs, now) else { return Ok(false) };
+            if !cycle.stable {
+                return Ok(false);
+            }
+            if number == 0 && cycle.evolutions == 0 && !self.fresh && form == Form::FlipFlops {
+                self.scan()?;
+                self.steps(form)?;
+                self.places()?;
+                self.same_calls(&cycle)?;
+                calls[1].extend(self.at_instants(self.called()));
+            }
+            calls[0].extend(self.at_instants(self.expected_calls(&cycle)));
+            if before.as_ref() == Some(self.oracle.memory()) {
+                break;
+            }
+            before = Some(self.oracle.memory().clone());
+        }
+        self.fresh = false;
+        let mut before = String::new();
+        for _ in 0..MOST {
+            self.scan()?;
+            calls[1].extend(self.at_instants(self.called()));
+            let memory = self.machine.memory();
+            if memory == before {
+                self.steps(form)?;
+                self.places()?;
+                let [expected, found] = calls;
+                let same = form == Form::Case || found == expected;
+                return if same { Ok(true) } else { Err(format!("calls {found:?}, expected {expected:?}")) };
+            }
+            before = memory;
+        }
+        Err("the program does not settle".to_owned())
+    }
+
+    /// Of actions that nothing calls as long as something holds.
+    fn at_instants(&self, calls: Vec<(String, Vec<i128>)>) -> Vec<(String, Vec<i128>)> {
+        let lasts = |name: &str| {
+            self.model.associations.values().any(|one| match &one.effect {
+                Effect::Call(action, _) => {
+                    let at_instant = matches!(one.qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On);
+                    !at_instant && self.named(&self.model.actions[*action].name).to_lowercase() == name
+                }
+                _ => false,
+            })
+        };
+        calls.into_iter().filter(|(name, _)| !lasts(name)).collect()
+    }
+
+    /// Of the last scan.
+    fn called(&self) -> Vec<(String, Vec<i128>)> {
         let called = self.machine.calls.iter().map(|call| {
-            let arguments: Vec<i128> = call.arguments.iter().map(|value| value.number()).collect();
+            let arguments: Vec<i128> = call.arguments.iter().map(|value| self.in_ticks(*value)).collect();
             (call.instance.clone(), arguments)
         });
-        let called: Vec<(String, Vec<i128>)> = called.collect();
+        called.collect()
+    }
+
+    fn expected_calls(&self, cycle: &Cycle) -> Vec<(String, Vec<i128>)> {
         let expected = cycle.calls.iter().map(|call| {
             let mut arguments = vec![call.phase as i128];
             arguments.extend(call.args.iter().map(|value| number(*value)));
             (self.named(&self.model.actions[call.action].name).to_lowercase(), arguments)
         });
-        let expected: Vec<(String, Vec<i128>)> = expected.collect();
-        if called == expected { Ok(true) } else { Err(format!("calls {called:?}, expected {expected:?}")) }
+        expected.collect()
     }
 
-    /// Scanned until nothing changes it shows what the cycle shows.
-    fn settled(&mut self, inputs: &[interp::Value], now: u32, form: Form) -> Result<bool, String> {
-        let Ok(cycle) = self.oracle.cycle(inputs, now) else { return Ok(false) };
-        if !cycle.stable {
-            return Ok(false);
-        }
-        let mut before = String::new();
-        for _ in 0..300 {
-            self.scan()?;
-            let memory = self.machine.memory();
-            if memory == before {
-                self.steps(form)?;
-                self.places()?;
-                return Ok(true);
-            }
-            before = memory;
-        }
-        Err("the program does not settle".to_owned())
+    fn same_calls(&self, cycle: &Cycle) -> Result<(), String> {
+        let (called, expected) = (self.called(), self.expected_calls(cycle));
+        if called == expected { Ok(()) } else { Err(format!("calls {called:?}, expected {expected:?}")) }
     }
 
     /// The same steps are active.
@@ -201,10 +253,14 @@ impl Pair<'_> {
 
     /// What the program shows, times in ticks.
     pub(crate) fn shown(&self, name: Name) -> Result<i128, String> {
-        Ok(match self.machine.get(&self.named(self.model.value_name(name)))? {
+        self.machine.get(&self.named(self.model.value_name(name))).map(|value| self.in_ticks(value))
+    }
+
+    fn in_ticks(&self, value: Value) -> i128 {
+        match value {
             Value::Time(ms) => i128::from(ms * 1_000_000 / self.model.clock_nanos),
             other => other.number(),
-        })
+        }
     }
 
     pub(crate) fn expected(&self, name: Name) -> i128 {

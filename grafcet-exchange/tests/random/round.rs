@@ -266,8 +266,7 @@ fn charts_of_the_examples_and_back() {
 
 #[test]
 fn random_charts_and_back() {
-    let wanted = std::env::var("ST_CHARTS").ok().and_then(|charts| charts.parse().ok()).unwrap_or(60);
-    let first: u64 = std::env::var("ST_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
+    let (wanted, first) = crate::seeds(60);
     let (mut seed, mut done, mut cycles) = (first, 0, 0);
     let mut refusals = BTreeMap::<String, usize>::new();
     while done < wanted {
@@ -277,7 +276,7 @@ fn random_charts_and_back() {
         let Some(model) = resolved(&made.chart) else { continue };
         if let Err(refused) = textual(&model) {
             let first = refused.first().map(ToString::to_string).unwrap_or_default();
-            *refusals.entry(first.split('`').step_by(2).collect::<Vec<_>>().join("_")).or_default() += 1;
+            *refusals.entry(crate::reasons::without_names(&first)).or_default() += 1;
             continue;
         }
         let Ok(model) = chart::resolve(&made.chart) else { continue };

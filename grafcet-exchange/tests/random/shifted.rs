@@ -35,6 +35,8 @@ impl Shifted {
             let continuous = writers.iter().any(|one| is_continuous(one));
             let reads_later = writers.iter().any(|one| names(one).iter().any(|read| later.contains(read)));
             let reads_inputs = writers.iter().any(|one| reads_inputs(one));
+            // An edge of a step is that of the cycle before: the program asks where the step acts.
+            let of_steps = writers.iter().any(|one| reads_edges_of_steps(model, one));
             let pulse = writers.iter().any(|one| one.qualifier == Qualifier::P);
             if continuous && reads_inputs {
                 of_inputs.insert(name);
@@ -42,9 +44,9 @@ impl Shifted {
             if reads_later || later.contains(&name) {
                 continue;
             }
-            if continuous && !pulse {
+            if continuous && !pulse && !of_steps {
                 same.insert(name);
-            } else if !(pulse && reads_inputs) {
+            } else if !(pulse && reads_inputs || of_steps && continuous) {
                 before.insert(name);
             }
         }
@@ -88,6 +90,16 @@ fn reads_inputs(association: &Association) -> bool {
     let trees = expressions(association);
     association.reads().into_iter().flatten().any(moment)
         || trees.iter().any(|expr| matches!(expr.tree, Tree::Opaque { .. }))
+}
+
+/// Edges and delays of steps.
+fn reads_edges_of_steps(model: &Model, association: &Association) -> bool {
+    let of_step = |read: &Read| matches!(read, Read::Active(_) | Read::MacroActive(_));
+    association.reads().into_iter().flatten().any(|read| match read {
+        Read::Rising(id) | Read::Falling(id) => model.edges[*id].of.reads.iter().any(of_step),
+        Read::Delay(id) => model.delays[*id].of.reads.iter().any(of_step),
+        _ => false,
+    })
 }
 
 /// What is stored of inputs, and of what is stored of them.

@@ -6,8 +6,9 @@ use grafcet_compiler::model::{
 
 use super::Case;
 use crate::Refused;
+use crate::st::Order;
 use crate::st::action::{Phase, Role, assigned, role, run};
-use crate::st::expr::{At, Kind, Moment};
+use crate::st::expr::{At, Kind, Moment, Remembers};
 use crate::st::frame;
 use crate::st::syntax::Statement;
 use crate::st::text::{Text, all, any};
@@ -70,7 +71,16 @@ impl<'m> Case<'m> {
     fn condition(&mut self, step: StepId, transition: &Transition) -> Result<String, Refused> {
         let active = |other| Some(truth(other == step));
         let at = At { active: &active, before: &self.nothing, times: true, mark: transition.mark };
-        Ok(self.scope.expr(&transition.condition, &Kind::Bool, &at)?.text)
+        self.scope.remembers = self.remembers();
+        let condition = self.scope.expr(&transition.condition, &Kind::Bool, &at);
+        self.scope.remembers = Remembers::Inputs;
+        Ok(condition?.text)
+    }
+
+    /// Of what edges and delays of transitions can be: in an `sfc` that evolves first nothing has changed in the scan yet.
+    pub(super) fn remembers(&self) -> Remembers {
+        let all = self.order == Order::EvolveFirst && !self.model.is_grafcet();
+        if all { Remembers::All } else { Remembers::Steps }
     }
 
     /// What the step does in a scan: first what is done once, then the rest, in the end what is continuous.
@@ -78,7 +88,12 @@ impl<'m> Case<'m> {
         if !self.model.is_grafcet() {
             self.scope.moment = Moment::Begun(step);
         }
+        // What acts first sees what the transitions of the scan before have left, as the edges of this scan do.
+        if !self.model.is_grafcet() && self.order == Order::ActFirst {
+            self.scope.remembers = Remembers::Steps;
+        }
         let actions = self.done_in(step, wanted);
+        self.scope.remembers = Remembers::Inputs;
         self.scope.moment = Moment::Called;
         actions
     }
@@ -98,8 +113,10 @@ impl<'m> Case<'m> {
                     uses = true;
                 }
                 Role::Event => {
+                    self.scope.remembers = Remembers::Steps;
                     let done = self.stored(step, association, Phase::First)?;
                     bodies.push(self.under(step, association, false, done)?);
+                    self.scope.remembers = Remembers::Inputs;
                 }
                 Role::Set(place) | Role::Reset(place) => {
                     let value = if association.qualifier == Qualifier::S { "TRUE" } else { "FALSE" };
@@ -125,7 +142,7 @@ impl<'m> Case<'m> {
                     Some((_, all)) => all.push(association),
                     None => continuous.push((place, vec![association])),
                 },
-                Role::Deactivation => {}
+                Role::Deactivation | Role::Nothing => {}
             }
         }
         let mut actions: Vec<Statement> = once.into_iter().chain(sets).chain(resets).chain(bodies).flatten().collect();

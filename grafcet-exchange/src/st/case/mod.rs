@@ -9,10 +9,12 @@ use std::collections::BTreeMap;
 use grafcet_compiler::model::{Id, Model, Place, StepId};
 
 use super::action::{Written, written};
-use super::expr::{Scope, plain};
+use super::expr::{Moment, Scope, plain};
 use super::frame::{self, Frame};
+use super::memory::{Look, in_a_row, is_of_inputs};
 use super::names::Names;
 use super::syntax::{Arm, Program, Statement, Variable};
+use super::text::{Text, strength};
 use super::time::LONGEST;
 use super::{Options, Order, header};
 use crate::Refused;
@@ -105,21 +107,16 @@ impl<'m> Case<'m> {
             frame.remember(Variable::new(&self.entered, "BOOL").init("TRUE").note("the step is in its first scan"));
         }
         let started = self.scope.names.own("Started");
-        let mut before = frame.edges(&mut self.scope, &started)?;
+        let own = self.memory(&mut frame, &started)?;
+        let edges = frame.edges(&mut self.scope, &started)?;
         let evolves_first = self.order == Order::EvolveFirst;
-        if !before.is_empty() || evolves_first {
+        let remembers = !edges.is_empty() || !own.is_empty();
+        if remembers || evolves_first {
             frame.remember(Variable::new(&started, "BOOL").init("FALSE").note("there has been a scan before"));
         }
-        if !before.is_empty() && !evolves_first {
-            before.push(Statement::assign(&*started, "TRUE"));
-        }
+        let mut before = edges;
         before.extend(frame.delays(&mut self.scope)?);
-        let mut timers = Vec::new();
-        for (step, timer) in &self.scope.timers {
-            frame.timer(timer, &format!("how long {} is active", plain(&model.steps[*step].name)));
-            let active = format!("{} = {}", self.step, self.number(*step));
-            timers.push(Statement::Call(format!("{timer}(IN := {active}, PT := {LONGEST})")));
-        }
+        let timers = self.timers(&mut frame);
         let mut program = Program { name, ..Program::default() };
         program.inputs.push(Variable::new(&self.init, "BOOL").note("back into the initial situation"));
         let written = &self.written;
@@ -136,6 +133,7 @@ impl<'m> Case<'m> {
         ]);
         part(body, "Edges and delays of inputs", before);
         part(body, "The times of steps, to be read", timers.clone());
+        part(body, "Edges and delays of what the chart itself changes", own);
         let [first, second] = sequence;
         if evolves_first {
             let evolve = vec![Statement::Case(self.step.clone(), first)];
@@ -146,6 +144,9 @@ impl<'m> Case<'m> {
         } else {
             part(body, "The sequence", vec![Statement::Case(self.step.clone(), first)]);
             part(body, "The times of steps, which begin with the step", timers);
+            if remembers {
+                body.push(Statement::assign(started, "TRUE"));
+            }
         }
         if body.last() == Some(&Statement::Gap) {
             body.pop();
@@ -154,6 +155,46 @@ impl<'m> Case<'m> {
         program.renamed = self.scope.names.renamed.into_iter().collect();
         program.stubs = self.scope.stubs;
         Ok(program)
+    }
+}
+
+impl Case<'_> {
+    /// Edges and delays of steps, as these are before the scan.
+    fn memory(&mut self, frame: &mut Frame, started: &str) -> Result<Vec<Statement>, Refused> {
+        let numbers: Vec<String> =
+            self.model.steps.ids().map(|step| format!("{} = {}", self.step, self.number(step))).collect();
+        let active = |step: StepId| Some(Text { text: numbers[step.index()].clone(), strength: strength::EQUAL });
+        self.scope.remembers = self.remembers();
+        // In a `grafcet` a delay is looked at once in a cycle, and not on what the chart only passes.
+        let once = self.model.is_grafcet() && self.scope.delays.keys().any(|id| !is_of_inputs(self.model, *id));
+        let before = self.scope.names.own(&format!("{}_before", self.step));
+        let settled = format!("{} = {before}", self.step);
+        let look = Look { active: &active, again: started, settled: once.then_some(&*settled), moment: Moment::Called };
+        let mut own = in_a_row(frame.own_memory(&mut self.scope, &look)?);
+        if once {
+            let initial = self.model.steps.iter().find(|(_, step)| step.initial).map_or(0, |(id, _)| self.number(id));
+            let variable = Variable::new(&*before, "DINT").init(initial.to_string());
+            frame.remember(variable.note("in the scan before"));
+            own.push(Statement::assign(before, &*self.step));
+        }
+        Ok(own)
+    }
+
+    /// The timers of steps and of macro-steps, which run as long as these are active.
+    fn timers(&self, frame: &mut Frame) -> Vec<Statement> {
+        let model = self.model;
+        let is = |step: &StepId| format!("{} = {}", self.step, self.number(*step));
+        let mut timers = Vec::new();
+        for (step, timer) in &self.scope.timers {
+            frame.timer(timer, &format!("how long {} is active", plain(&model.steps[*step].name)));
+            timers.push(Statement::Call(format!("{timer}(IN := {}, PT := {LONGEST})", is(step))));
+        }
+        for (id, timer) in &self.scope.macro_timers {
+            frame.timer(timer, &format!("how long {} is active", plain(&model.macros[*id].name)));
+            let active: Vec<String> = model.macros[*id].steps.iter().map(is).collect();
+            timers.push(Statement::Call(format!("{timer}(IN := {}, PT := {LONGEST})", active.join(" OR "))));
+        }
+        timers
     }
 }
 

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
+use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier, TimeRef, VarId};
 
 use super::Flags;
 use crate::Refused;
-use crate::st::action::{Role, Written, assigned, role};
+use crate::st::action::{Role, Written, assigned, places, role};
 use crate::st::expr::At;
 use crate::st::frame;
 use crate::st::syntax::{Statement, Variable};
@@ -31,17 +31,6 @@ pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, refused
                 name.into(),
                 format!("`{name}` is asserted and has values, too: structured text of this form can do one of both"),
             ));
-        }
-        for association in &all {
-            let same = |other: &&Association| other.qualifier == association.qualifier;
-            let first = all.iter().copied().find(same).and_then(|first| first.time);
-            if !model.is_grafcet() && association.time != first {
-                let word = association.qualifier.word();
-                refused.push(Refused::at(
-                    association.mark,
-                    format!("`{word}` of `{name}` has two times, which share a timer: give both the same one"),
-                ));
-            }
         }
     }
 }
@@ -73,7 +62,7 @@ impl Flags<'_> {
         let (mut branches, nothing) = (Vec::new(), BTreeMap::new());
         for association in all_of.iter().rev() {
             let Effect::Assign(_, value) = &association.effect else { continue };
-            let mut parts = vec![self.input(association)?];
+            let mut parts = vec![self.held(association)?];
             parts.extend(self.limit(association)?);
             let stable = self.model.is_grafcet();
             let value = self.after(association, |scope, at| {
@@ -108,70 +97,97 @@ impl Flags<'_> {
 
     /// `sfc`: the standard's `ACTION_CONTROL`, of which only what is needed is there.
     pub(super) fn controlled(&mut self, name: String, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
-        use Qualifier::{D, Ds, L, N, P, R, S, Sd, Sl};
         let mut inputs = self.inputs(all_of)?;
         let mut done = Vec::new();
-        // Several ask for it.
-        let reset = match inputs.remove(&R) {
-            Some(reset) => {
-                let flag = self.local(&format!("{name}_R"));
-                done.push(Statement::assign(&*flag, reset.text));
-                Some(flag)
-            }
-            None => None,
-        };
+        let reset = self.reset(&name, &mut inputs, &mut done);
         // Where nothing else drives it, the place is its flip-flop.
-        if inputs.keys().all(|qualifier| *qualifier == S) {
-            let set = inputs.remove(&S).unwrap_or_else(|| Text::word("FALSE"));
+        if inputs.keys().all(|qualifier| *qualifier == Qualifier::S) {
+            let set = inputs.remove(&Qualifier::S).map_or(Text::word("FALSE"), |inputs| one_of(&inputs));
             done.push(flip_flop(&name, set, reset.as_ref()));
             return Ok(done);
         }
-        let mut terms: Vec<Text> = [N, P].iter().filter_map(|qualifier| inputs.remove(qualifier)).collect();
-        if let Some(set) = inputs.remove(&S) {
-            let stored = self.stored(&format!("{name}_S"));
-            done.push(flip_flop(&stored, set, reset.as_ref()));
-            terms.push(Text::word(stored));
-        }
-        if let Some(input) = inputs.remove(&L) {
-            let flag = self.local(&format!("{name}_L_on"));
-            done.push(Statement::assign(&*flag, input.text));
-            let over = self.timer((&name, L), &Text::word(&*flag), all_of, &mut done)?;
-            terms.push(all(vec![Text::word(flag), not(over)]));
-        }
-        if let Some(input) = inputs.remove(&D) {
-            terms.push(self.timer((&name, D), &input, all_of, &mut done)?);
-        }
-        for qualifier in [Sd, Sl] {
-            let Some(input) = inputs.remove(&qualifier) else { continue };
-            let stored = self.stored(&format!("{name}_{}", qualifier.word()));
-            done.push(flip_flop(&stored, input, reset.as_ref()));
-            let over = self.timer((&name, qualifier), &Text::word(&*stored), all_of, &mut done)?;
-            terms.push(if qualifier == Sd { over } else { all(vec![Text::word(stored), not(over)]) });
-        }
-        if let Some(input) = inputs.remove(&Ds) {
-            let over = self.timer((&name, Ds), &input, all_of, &mut done)?;
-            let stored = self.stored(&format!("{name}_DS"));
-            done.push(flip_flop(&stored, over, reset.as_ref()));
-            terms.push(Text::word(stored));
-        }
-        let mut value = vec![any(terms)];
+        let mut value =
+            vec![any(self.driven_by(&name, &inputs, reset.as_ref(), &mut done)?.terms.into_values().collect())];
         value.extend(reset.map(|reset| not(Text::word(reset))));
         done.push(Statement::assign(name, all(value).text));
         Ok(done)
     }
 
+    /// That something resets it, for which several can ask.
+    pub(super) fn reset(&mut self, name: &str, inputs: &mut Inputs<'_>, done: &mut Vec<Statement>) -> Option<String> {
+        inputs.remove(&Qualifier::R).map(|reset| {
+            let flag = self.local(&format!("{name}_R"));
+            done.push(Statement::assign(&*flag, one_of(&reset).text));
+            flag
+        })
+    }
+
+    /// By what it is driven: for each qualifier, when that is so.
+    pub(super) fn driven_by(
+        &mut self,
+        name: &str,
+        inputs: &Inputs<'_>,
+        reset: Option<&String>,
+        done: &mut Vec<Statement>,
+    ) -> Result<Driven, Refused> {
+        use Qualifier::{D, Ds, L, N, P, S, Sd, Sl};
+        let (mut terms, mut delayed) = (BTreeMap::new(), None);
+        for qualifier in [N, P, S, L, D, Sd, Sl, Ds] {
+            let Some(all_of) = inputs.get(&qualifier) else { continue };
+            let input = one_of(all_of);
+            let term = match qualifier {
+                S => {
+                    let stored = self.stored(&format!("{name}_S"));
+                    done.push(flip_flop(&stored, input, reset));
+                    Text::word(stored)
+                }
+                L => {
+                    let flag = self.local(&format!("{name}_L_on"));
+                    done.push(Statement::assign(&*flag, input.text));
+                    let over = self.timer((name, L), &Text::word(&*flag), all_of, done)?;
+                    all(vec![Text::word(flag), not(over)])
+                }
+                D => self.timer((name, D), &input, all_of, done)?,
+                Sd | Sl => {
+                    let stored = self.stored(&format!("{name}_{}", qualifier.word()));
+                    done.push(flip_flop(&stored, input, reset));
+                    let over = self.timer((name, qualifier), &Text::word(&*stored), all_of, done)?;
+                    if qualifier == Sd { over } else { all(vec![Text::word(stored), not(over)]) }
+                }
+                Ds => {
+                    let over = self.timer((name, Ds), &input, all_of, done)?;
+                    let stored = self.stored(&format!("{name}_DS"));
+                    done.push(flip_flop(&stored, over.clone(), reset));
+                    delayed = Some(over);
+                    Text::word(stored)
+                }
+                _ => input,
+            };
+            terms.insert(qualifier, term);
+        }
+        Ok(Driven { terms, delayed })
+    }
+
     /// The inputs of an action control.
-    fn inputs(&mut self, all_of: &[&Association]) -> Result<BTreeMap<Qualifier, Text>, Refused> {
-        let mut by = BTreeMap::<Qualifier, Vec<Text>>::new();
+    pub(super) fn inputs<'a>(&mut self, all_of: &[&'a Association]) -> Result<Inputs<'a>, Refused> {
+        let mut by = Inputs::new();
         for association in all_of {
-            let mut input = vec![self.input(association)?];
+            let mut input = vec![self.held(association)?];
             // A pulse is an event.
             if association.qualifier == Qualifier::P {
                 input.push(self.activated(association.step));
             }
-            by.entry(association.qualifier).or_default().push(all(input));
+            by.entry(association.qualifier).or_default().push((association, all(input)));
         }
-        Ok(by.into_iter().map(|(qualifier, inputs)| (qualifier, any(inputs))).collect())
+        Ok(by)
+    }
+
+    /// The flag of an association; a condition that reads what actions write is read before the first of them.
+    pub(super) fn held(&mut self, association: &Association) -> Result<Text, Refused> {
+        let input = self.input(association)?;
+        let read = association.condition.iter().flat_map(|condition| places(&condition.tree));
+        let changes = read.into_iter().any(|place| self.changed.contains(&place));
+        Ok(if changes { self.hoisted(input, association) } else { input })
     }
 
     /// A flip-flop of its own.
@@ -193,18 +209,18 @@ impl Flags<'_> {
         &mut self,
         (name, qualifier): (&str, Qualifier),
         input: &Text,
-        all_of: &[&Association],
+        all_of: &[(&Association, Text)],
         done: &mut Vec<Statement>,
     ) -> Result<Text, Refused> {
         let timer = self.scope.names.own(&format!("{name}_{}_T", qualifier.word()));
         self.frame.timer(&timer, &format!("{} of {name}", qualifier.word()));
-        let of = || all_of.iter().filter(|association| association.qualifier == qualifier);
         if matches!(qualifier, Qualifier::L | Qualifier::D | Qualifier::Ds) {
             let mut again = Vec::new();
-            for association in
-                of().filter(|association| self.may_reenter(association.step)).map(|a| a.step).collect::<Vec<_>>()
-            {
-                again.push(self.again(association));
+            for (association, own) in all_of {
+                if self.may_reenter(association.step) {
+                    let condition = association.condition.is_some().then(|| own.clone());
+                    again.push(all([self.again(association.step)].into_iter().chain(condition).collect()));
+                }
             }
             if !again.is_empty() {
                 done.push(Statement::when(
@@ -214,11 +230,80 @@ impl Flags<'_> {
             }
         }
         done.push(Statement::Call(format!("{timer}(IN := {}, PT := {LONGEST})", input.text)));
-        let first = of().next().and_then(|association| Some((association.time?, association.mark)));
-        let Some((time, mark)) = first else { return Ok(Text::word("FALSE")) };
-        let limit = self.scope.time(time, mark)?;
+        let limit = self.limit_of((name, qualifier), all_of, done)?;
         Ok(all(vec![input.clone(), Text::order(format!("{timer}.ET >= {limit}"))]))
     }
+
+    /// The time of the association that was active last, the last in the source of several.
+    fn limit_of(
+        &mut self,
+        (name, qualifier): (&str, Qualifier),
+        all_of: &[(&Association, Text)],
+        done: &mut Vec<Statement>,
+    ) -> Result<String, Refused> {
+        let mut limits = Vec::new();
+        for (association, own) in all_of {
+            let limit = match association.time {
+                Some(TimeRef::Var(id)) if self.changed.contains(&Place::Var(id)) => self.kept(id),
+                Some(time) => self.scope.time(time, association.mark)?,
+                None => LONGEST.to_owned(),
+            };
+            limits.push((own.text.clone(), limit));
+        }
+        let same = limits.iter().all(|(_, limit)| *limit == limits[0].1);
+        if same {
+            return Ok(limits.swap_remove(0).1);
+        }
+        let chosen = self.scope.names.own(&format!("{name}_{}_PT", qualifier.word()));
+        let note = "that of the step that asked last";
+        // What a flip-flop keeps goes on with the time of who has set it, which may change meanwhile.
+        let keeps = matches!(qualifier, Qualifier::Sd | Qualifier::Sl);
+        let literal = all_of.iter().all(|(association, _)| matches!(association.time, Some(TimeRef::Ticks(_))));
+        if keeps {
+            let init = if literal { &limits[0].1 } else { LONGEST };
+            self.frame.remember(Variable::new(&*chosen, "TIME").init(init).note(note));
+        } else {
+            self.frame.variables.push(Variable::new(&*chosen, "TIME").note(note));
+        }
+        if !keeps || literal {
+            let choose = |(own, limit): (String, String)| (own, vec![Statement::assign(&*chosen, limit)]);
+            done.push(Statement::If(limits.into_iter().rev().map(choose).collect(), Vec::new()));
+            return Ok(chosen);
+        }
+        let by = self.scope.names.own(&format!("{name}_{}_by", qualifier.word()));
+        self.frame.remember(Variable::new(&*by, "INT").init("0").note("who asked last"));
+        let (mut who, mut which) = (Vec::new(), Vec::new());
+        for (number, (own, limit)) in limits.into_iter().enumerate() {
+            who.push((own, vec![Statement::assign(&*by, number.to_string())]));
+            which.push((format!("{by} = {number}"), vec![Statement::assign(&*chosen, limit)]));
+        }
+        who.reverse();
+        done.extend([Statement::If(who, Vec::new()), Statement::If(which, Vec::new())]);
+        Ok(chosen)
+    }
+
+    /// A time as it was before the first action.
+    fn kept(&mut self, id: VarId) -> String {
+        let name = self.scope.names.own(&format!("{}_before", self.scope.place(Place::Var(id))));
+        self.frame.variables.push(Variable::new(&*name, "TIME"));
+        self.conditions.push(Statement::assign(&*name, self.scope.place(Place::Var(id))));
+        name
+    }
+}
+
+/// Of each qualifier the associations that have it, and when each of them asks.
+pub(super) type Inputs<'a> = BTreeMap<Qualifier, Vec<(&'a Association, Text)>>;
+
+/// What drives an action.
+pub(super) struct Driven {
+    /// By qualifier.
+    pub(super) terms: BTreeMap<Qualifier, Text>,
+    /// That the delay of DS is over, which sets its flip-flop.
+    pub(super) delayed: Option<Text>,
+}
+
+fn one_of(inputs: &[(&Association, Text)]) -> Text {
+    any(inputs.iter().map(|(_, input)| input.clone()).collect())
 }
 
 /// Reset dominates.

@@ -125,17 +125,15 @@ impl Flags<'_> {
 
     /// That a step was active before the scan.
     pub(super) fn was(&mut self, step: StepId) -> Text {
-        if !self.was.contains_key(&step) {
-            let name = self.scope.names.own(&format!("Was_{}", plain(&self.model.steps[step].name)));
-            self.was.insert(step, name);
-        }
-        Text::word(&*self.was[&step])
+        self.was.insert(step);
+        Text::word(&*self.was_names[step.index()])
     }
 
     /// What [`Self::was`] has been asked for.
     pub(super) fn remembered(&mut self) -> Vec<Statement> {
         let mut statements = Vec::new();
-        for (step, name) in &self.was {
+        for step in &self.was {
+            let name = &self.was_names[step.index()];
             self.frame.variables.push(Variable::new(&**name, "BOOL"));
             statements.push(Statement::assign(&**name, &*self.steps[step.index()]));
         }

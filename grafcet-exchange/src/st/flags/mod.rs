@@ -5,26 +5,31 @@
 //! - `hierarchy`: what enclosing steps and forcing orders do to it
 //! - `control`: continuous and stored actions of booleans, the standard's `ACTION_CONTROL`
 //! - `runs`: what runs: assignments, blocks, calls
+//! - `shared`: calls of one action by several associations of an `sfc`
+//! - `sees`: what actions see of steps, times and values
+//! - `remembers`: edges and delays of what the chart itself changes
 
 mod control;
 mod hierarchy;
+mod remembers;
 mod runs;
+mod sees;
+mod shared;
 mod situation;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::analysis::hierarchy::initial_situation;
-use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Blinker, Id, Model, PartialId, Place, Read, StepId, TransitionId, Tree};
+use grafcet_compiler::model::{Effect, Id, Model, PartialId, Place, StepId, TransitionId};
 use grafcet_compiler::sorted::Set;
 
-use super::action::{Role, Written, places, reads, role, shared_calls, written};
-use super::expr::{At, Kind, Moment, Scope, plain};
+use super::action::{Role, Written, places, reads, role, written};
+use super::expr::{At, Kind, Remembers, Scope, plain};
 use super::frame::{self, Frame};
 use super::names::Names;
 use super::syntax::{Program, Statement, Variable};
-use super::text::{Text, all, not};
+use super::text::{Text, all, any, not};
 use super::time::LONGEST;
 use super::{Options, header};
 use crate::Refused;
@@ -33,12 +38,7 @@ use crate::Refused;
 pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
     let written = written(model)?;
     let mut refused = Vec::new();
-    // In a `grafcet` what runs at an instant is a call of its own.
-    if !model.is_grafcet() {
-        shared_calls(model, &mut refused);
-    }
     control::refused(model, &written, &mut refused);
-    runs::refused(model, &written, is_single(model), &mut refused);
     if !refused.is_empty() {
         return Err(refused);
     }
@@ -70,8 +70,13 @@ struct Flags<'m> {
     /// The input that begins anew.
     init: String,
     initial: Set<StepId>,
-    /// By step, that it was active before the scan, where somebody asks.
-    was: BTreeMap<StepId, String>,
+    /// By step, that it was active before the scan.
+    was_names: Vec<String>,
+    /// The steps of which somebody asks that.
+    was: BTreeSet<StepId>,
+    /// That edges have been looked at before, and that the scan before has left everything as it was, where a `grafcet` asks for them.
+    looked: Option<String>,
+    settled: Option<String>,
     /// By partial grafcet, that an order holds it.
     frozen: BTreeMap<PartialId, String>,
     /// By step, that it is activated in this scan, where somebody asks.
@@ -80,6 +85,10 @@ struct Flags<'m> {
     /// Under which names actions read what was there before the scan.
     before: BTreeMap<Place, String>,
     single: bool,
+    /// `sfc`: what is asked before the first action runs.
+    conditions: Vec<Statement>,
+    /// `sfc`: the variables that actions write.
+    changed: BTreeSet<Place>,
 }
 
 impl<'m> Flags<'m> {
@@ -90,7 +99,10 @@ impl<'m> Flags<'m> {
         let steps = model.steps.values().map(|step| scope.names.own(&format!("SR_{}", plain(&step.name)))).collect();
         let transitions =
             (1..=model.transitions.len()).map(|number| scope.names.own(&format!("Tr_{number}"))).collect();
+        let was_names =
+            model.steps.values().map(|step| scope.names.own(&format!("Was_{}", plain(&step.name)))).collect();
         let started = scope.names.own("Started");
+        scope.remembers = Remembers::All;
         Self {
             model,
             scope,
@@ -100,12 +112,23 @@ impl<'m> Flags<'m> {
             started,
             init,
             initial: initial_situation(model),
-            was: BTreeMap::new(),
+            was_names,
+            was: BTreeSet::new(),
+            looked: None,
+            settled: None,
             frozen: BTreeMap::new(),
             activated: BTreeMap::new(),
             deactivated: BTreeMap::new(),
             before: BTreeMap::new(),
             single: is_single(model),
+            conditions: Vec::new(),
+            changed: model
+                .associations
+                .values()
+                .flat_map(|one| one.effect.writes())
+                .copied()
+                .filter(|place| !model.is_grafcet() && matches!(place, Place::Var(_)))
+                .collect(),
         }
     }
 
@@ -119,6 +142,10 @@ impl<'m> Flags<'m> {
 
     fn program(mut self, written: &BTreeMap<Place, Written>) -> Result<Program, Refused> {
         let model = self.model;
+        self.scope.shared = shared(model);
+        if !model.is_grafcet() {
+            self.scope.reentered = model.steps.ids().filter(|step| self.may_reenter(*step)).collect();
+        }
         let name = self.scope.names.of_chart(&plain(&model.name));
         self.copies(written);
         for id in model.steps.ids() {
@@ -129,8 +156,10 @@ impl<'m> Flags<'m> {
         let following = self.following()?;
         let mut transitions = self.frozen();
         transitions.extend(self.transitions()?);
-        let actions = self.actions(written)?;
+        let [instants, actions] = self.actions(written)?;
         let situation = self.situation();
+        let (acting, own) = self.memory()?;
+        let ended = self.ended();
         let restarts = self.restarts();
         let (changes, moved) = (self.changes(), self.moved_changes());
         let was = self.remembered();
@@ -143,6 +172,7 @@ impl<'m> Flags<'m> {
         program.inputs.push(Variable::new(&*self.init, "BOOL").note("back into the initial situation"));
         let mut frame = std::mem::take(&mut self.frame);
         frame::declare(&mut self.scope, &mut program, &mut frame, |place| written.contains_key(&place))?;
+        program.variables.append(&mut self.scope.copies);
         for (instance, block) in self.scope.instances.values() {
             program.variables.push(Variable::new(instance, block));
         }
@@ -155,16 +185,19 @@ impl<'m> Flags<'m> {
         ]);
         part(body, "Edges and delays of inputs", before);
         part(body, "The times of steps, to be read", timers.clone());
-        part(body, "What follows the situation", following);
+        for (heading, statements) in self.looked_at(following, own) {
+            part(body, heading, statements);
+        }
         part(body, "What actions read as it was before the scan", copies);
         part(body, "Transitions: predecessor and condition", transitions);
         part(body, "What is activated and deactivated", changes);
         part(body, "Steps before the scan", was);
         part(body, "Steps: set by what leads to them, reset by what leaves them", situation);
         part(body, "What has been activated and deactivated by transitions, orders and enclosing steps", moved);
-        part(body, "Actions", actions);
-        part(body, "The times of steps, which begin with the step", restarts.into_iter().chain(timers).collect());
-        body.push(Statement::assign(self.started.clone(), "TRUE"));
+        part(body, "A step that is entered anew begins its time anew", restarts);
+        part(body, "Edges that actions ask for, of what there is behind the evolution", acting);
+        acting_parts(body, model, timers, [instants, actions]);
+        body.extend(ended);
         program.header = header::flags(model, &self.scope);
         program.renamed = self.scope.names.renamed.into_iter().collect();
         program.stubs = self.scope.stubs;
@@ -185,6 +218,10 @@ impl<'m> Flags<'m> {
         }
         for effect in self.model.transitions.values().flat_map(|transition| &transition.clearing) {
             read.extend(reads(effect));
+        }
+        // What is stored tells whether a scan has left everything as it was.
+        if self.samples_once() {
+            read.extend(written.iter().filter(|(_, how)| !how.continuous).map(|(place, _)| *place));
         }
         // In an `sfc` a variable that one action writes the next one sees.
         read.retain(|place| {
@@ -229,13 +266,19 @@ impl<'m> Flags<'m> {
         Ok(statements)
     }
 
-    /// The timers of steps, which run as long as these are active.
+    /// The timers of steps and of macro-steps, which run as long as these are active.
     fn timers(&mut self) -> Vec<Statement> {
         let mut statements = Vec::new();
         for (step, timer) in self.scope.timers.clone() {
             self.frame.timer(&timer, &format!("how long {} is active", plain(&self.model.steps[step].name)));
             let active = &self.steps[step.index()];
             statements.push(Statement::Call(format!("{timer}(IN := {active}, PT := {LONGEST})")));
+        }
+        for (id, timer) in self.scope.macro_timers.clone() {
+            let of = &self.model.macros[id];
+            self.frame.timer(&timer, &format!("how long {} is active", plain(&of.name)));
+            let active = any(of.steps.iter().map(|step| self.flag(*step)).collect());
+            statements.push(Statement::Call(format!("{timer}(IN := {}, PT := {LONGEST})", active.text)));
         }
         statements
     }
@@ -244,7 +287,12 @@ impl<'m> Flags<'m> {
     fn restarts(&mut self) -> Vec<Statement> {
         let mut statements = Vec::new();
         for (step, timer) in self.scope.timers.clone() {
-            if !self.model.is_grafcet() && self.may_reenter(step) {
+            if self.scope.reentered.contains(&step) {
+                if let Some(reached) = self.scope.reached.get(&step) {
+                    let note = format!("the time that {} had reached", plain(&self.model.steps[step].name));
+                    self.frame.variables.push(Variable::new(&**reached, "TIME").note(note));
+                    statements.push(Statement::assign(&**reached, format!("{timer}.ET")));
+                }
                 let again = self.again(step);
                 statements.push(Statement::when(
                     again.text,
@@ -258,64 +306,38 @@ impl<'m> Flags<'m> {
     fn again(&mut self, step: StepId) -> Text {
         all(vec![self.activated(step), self.deactivated(step)])
     }
+}
 
-    /// What an action sees after the evolution.
-    fn after<T>(
-        &mut self,
-        association: &Association,
-        see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
-    ) -> Result<T, Refused> {
-        let (steps, before) = (self.steps.clone(), self.before.clone());
-        let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
-        self.scope.moment = Moment::Moved(association.step);
-        let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark: association.mark });
-        self.scope.moment = Moment::Called;
-        seen
-    }
-
-    /// What an action sees that runs at an instant: no steps and no times, which are others before and after.
-    fn instant<T>(
-        &mut self,
-        mark: Mark,
-        see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
-    ) -> Result<T, Refused> {
-        let before = self.before.clone();
-        see(&mut self.scope, &At { active: &|_| None, before: &before, times: false, mark })
-    }
-
-    /// The flag of an association: its step, and its condition.
-    fn input(&mut self, association: &Association) -> Result<Text, Refused> {
-        let flag = self.flag(association.step);
-        let Some(condition) = &association.condition else { return Ok(flag) };
-        if reads_step_time(&condition.tree, association.step)
-            && !self.model.is_grafcet()
-            && self.may_reenter(association.step)
-        {
-            return Err(Refused::at(
-                association.mark,
-                "a step that can be entered anew has two times in that scan, of which the program would read the wrong one: leave it by way of another step",
-            ));
-        }
-        let stable = self.model.is_grafcet();
-        let nothing = BTreeMap::new();
-        let condition = self.after(association, |scope, at| {
-            let before = if stable { &nothing } else { at.before };
-            scope.expr(condition, &Kind::Bool, &At { before, ..*at })
-        })?;
-        Ok(all(vec![flag, condition]))
+/// The actions, and the times that begin with the steps.
+fn acting_parts(
+    body: &mut Vec<Statement>,
+    model: &Model,
+    timers: Vec<Statement>,
+    [instants, actions]: [Vec<Statement>; 2],
+) {
+    // In a `grafcet` what lasts sees the times of the situation that has been reached.
+    let begin = "The times of steps, which begin with the step";
+    if model.is_grafcet() && !timers.is_empty() {
+        part(body, "Actions at an instant", instants);
+        part(body, begin, timers);
+        part(body, "Actions", actions);
+    } else {
+        part(body, "Actions", instants.into_iter().chain(actions).collect());
+        part(body, begin, timers);
     }
 }
 
-fn reads_step_time(tree: &Tree, step: StepId) -> bool {
-    let mut reads = false;
-    tree.each_read(&mut |read| {
-        reads |= match read {
-            Read::Since(of) | Read::Elapsed(_, of) => of == step,
-            Read::Blink(blink) => blink.of == Blinker::Step(step),
-            _ => false,
+/// What several associations and transitions write.
+fn shared(model: &Model) -> BTreeSet<Place> {
+    let associations = model.associations.values().map(|association| association.effect.writes());
+    let clearing = model.transitions.values().flat_map(|one| &one.clearing).map(Effect::writes);
+    let (mut once, mut shared) = (BTreeSet::new(), BTreeSet::new());
+    for place in associations.chain(clearing).flatten() {
+        if !once.insert(*place) {
+            shared.insert(*place);
         }
-    });
-    reads
+    }
+    shared
 }
 
 /// A part of the program under a heading, where there is something.

@@ -3,120 +3,80 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::combinational::in_order;
-use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
+use grafcet_compiler::model::{Association, Effect, Model, Name, Place, Qualifier, Read};
 
 use super::Flags;
+use super::remembers::Asked;
 use crate::Refused;
-use crate::st::action::{Phase, Role, Written, places, reads, role, run};
-use crate::st::expr::{At, Kind, plain};
+use crate::st::action::{Phase, Role, Written, places, role, run};
+use crate::st::expr::{At, Kind, Moment, plain};
+use crate::st::memory::in_a_row;
 use crate::st::syntax::{Statement, Variable};
 use crate::st::text::{Text, all, any, not};
 
-/// What has no translation.
-pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, single: bool, refused: &mut Vec<Refused>) {
-    let calls = |association: &Association| match &association.effect {
-        Effect::Call(action, _) if !model.is_grafcet() => Some(*action),
-        _ => None,
-    };
-    for association in model.associations.values() {
-        let others = || model.associations.values().filter(|other| !std::ptr::eq(*other, association));
-        if let Some(action) = calls(association) {
-            let again = others().any(|other| calls(other) == Some(action));
-            if again && (!single || !matches!(association.qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On)) {
-                let name = &model.actions[action].name;
-                refused.push(Refused::at(association.mark, format!("`{name}` is called by several steps, and the chart makes one call of them: structured text of this form has one step for an action")));
-            }
-        }
-        let Effect::Block(code) = &association.effect else { continue };
-        let own = |place: &&Place| reads(&association.effect).contains(place) && written.contains_key(place);
-        for place in code.writes.iter().filter(own) {
-            let output = matches!(place, Place::Output(_)) || model.is_grafcet();
-            if output && others().any(|other| other.effect.writes().contains(place)) {
-                let name = model.place_name(*place);
-                refused.push(Refused::at(association.mark, format!("this block reads `{name}`, which others write, too, as it was before the scan: structured text of this form cannot; use a variable")));
-            }
-        }
-    }
-}
-
 impl Flags<'_> {
-    /// All actions in their order: what ends with its step, what begins, the rest.
-    pub(super) fn actions(&mut self, written: &BTreeMap<Place, Written>) -> Result<Vec<Statement>, Refused> {
-        if self.model.is_grafcet() { self.of_grafcet(written) } else { self.of_sfc() }
+    /// All actions in their order: those of a `grafcet` that are done at an instant, and the rest; those of an `sfc`, what ends with its step, what
+    /// begins, the rest.
+    pub(super) fn actions(&mut self, written: &BTreeMap<Place, Written>) -> Result<[Vec<Statement>; 2], Refused> {
+        if self.model.is_grafcet() { self.of_grafcet(written) } else { self.of_sfc().map(|all| [Vec::new(), all]) }
     }
 
     fn of_sfc(&mut self) -> Result<Vec<Statement>, Refused> {
         let model = self.model;
-        let (mut conditions, mut left, mut entered, mut rest) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut left, mut entered, mut rest) = (Vec::new(), Vec::new(), Vec::new());
         let mut controlled = BTreeSet::new();
-        for association in model.associations.values() {
+        for (id, association) in model.associations.iter() {
+            if let Some((action, all_of)) = self.called_together(association) {
+                // Where the action first stands.
+                if all_of[0] == id {
+                    self.of_action(action, &all_of, [&mut left, &mut entered, &mut rest])?;
+                }
+                continue;
+            }
             match role(model, association)? {
                 Role::Continuous(place) | Role::Set(place) | Role::Reset(place) => {
                     if controlled.insert(place) {
-                        self.no_old_variables(place)?;
                         rest.extend(self.control(place)?);
                     }
                 }
                 Role::Deactivation => {
                     let event = self.deactivated(association.step);
-                    left.push(self.once(association, event, &mut conditions)?);
+                    left.push(self.once(association, event)?);
                 }
                 Role::Activation => {
                     let event = self.activated(association.step);
-                    entered.push(self.once(association, event, &mut conditions)?);
+                    entered.push(self.once(association, event)?);
                 }
-                Role::Body => self.body(association, &mut conditions, &mut left, &mut rest)?,
-                Role::Event => {}
+                Role::Body => self.body(association, &mut left, &mut rest)?,
+                Role::Event | Role::Nothing => {}
             }
         }
+        let conditions = std::mem::take(&mut self.conditions);
         Ok(conditions.into_iter().chain(left).chain(entered).chain(rest).collect())
     }
 
-    /// Conditions are read before the first action runs.
-    fn no_old_variables(&self, place: Place) -> Result<(), Refused> {
-        let mut changed: Vec<Place> = Vec::new();
-        for association in self.model.associations.values() {
-            changed.extend(association.effect.writes().iter().filter(|place| matches!(place, Place::Var(_))));
-        }
-        for association in super::control::controls(self.model, place) {
-            let Some(condition) = &association.condition else { continue };
-            if let Some(read) = places(&condition.tree).into_iter().find(|place| changed.contains(place)) {
-                let name = self.model.place_name(read);
-                return Err(Refused::at(
-                    association.mark,
-                    format!(
-                        "the condition reads `{name}` as it was before the actions of the scan, which write it: structured text of this form cannot; ask for it in a transition"
-                    ),
-                ));
-            }
-        }
-        Ok(())
-    }
-
     /// P1 and P0.
-    fn once(
-        &mut self,
-        association: &Association,
-        event: Text,
-        conditions: &mut Vec<Statement>,
-    ) -> Result<Statement, Refused> {
+    fn once(&mut self, association: &Association, event: Text) -> Result<Statement, Refused> {
+        let leaves = association.qualifier == Qualifier::P0;
+        let moment = if leaves { Moment::Leaving } else { Moment::Moved(Some(association.step)) };
         let mut parts = vec![event];
         if let Some(condition) = &association.condition {
-            let text = self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
-            parts.push(self.hoisted(text, association, conditions));
+            let text = self.instant(moment, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
+            parts.push(self.hoisted(text, association));
         }
-        let done = self.instant(association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        let done =
+            self.instant(moment, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 
     /// A condition that reads what actions write is read before them; a `grafcet` has copies of what was there before.
-    fn hoisted(&mut self, condition: Text, association: &Association, conditions: &mut Vec<Statement>) -> Text {
+    pub(super) fn hoisted(&mut self, condition: Text, association: &Association) -> Text {
         let reads = association.condition.iter().any(|condition| !places(&condition.tree).is_empty());
         if !reads || self.model.is_grafcet() {
             return condition;
         }
         let name = self.local("If_1");
-        conditions.push(Statement::assign(&*name, condition.text));
+        self.conditions.push(Statement::assign(&*name, condition.text));
         Text::word(name)
     }
 
@@ -124,24 +84,28 @@ impl Flags<'_> {
     fn body(
         &mut self,
         association: &Association,
-        conditions: &mut Vec<Statement>,
         left: &mut Vec<Statement>,
         rest: &mut Vec<Statement>,
     ) -> Result<(), Refused> {
-        let (runs, left_or_not) = self.driven(association, conditions)?;
+        let (runs, left_or_not) = self.driven(association)?;
         let ran = self.scope.names.own("Ran_1");
         self.frame.remember(Variable::new(&*ran, "BOOL").init("FALSE").note("it ran in the scan before"));
         let stable = self.model.is_grafcet();
-        let mut phase = |phase| {
+        let mut phase = |phase, leaves: bool| {
             // A call of a `grafcet` sees what the evolution has led to.
             let nothing = BTreeMap::new();
             let sees = |scope: &mut _, at: &At<'_>| {
                 let before = if stable { &nothing } else { at.before };
-                run(scope, &association.effect, phase, &At { times: false, before, ..*at })
+                run(scope, &association.effect, phase, &At { before, ..*at })
             };
+            // Where the step is left its time is the one that it had reached.
+            if leaves && !self.model.is_grafcet() {
+                return self.instant(Moment::Leaving, association.mark, sees);
+            }
             self.after(association, sees)
         };
-        let [first, repeated, last] = [phase(Phase::First)?, phase(Phase::Repeated)?, phase(Phase::Final)?];
+        let [first, repeated, last] =
+            [phase(Phase::First, false)?, phase(Phase::Repeated, false)?, phase(Phase::Final, false)?];
         // It ends with its step, or else among the rest.
         let mut ends = Some(vec![Text::word(&*ran)]);
         if let Some([is_left, stays]) = left_or_not {
@@ -149,7 +113,7 @@ impl Flags<'_> {
             if association.qualifier == Qualifier::D {
                 over.push(not(Text::word(&*runs)));
             }
-            left.push(Statement::when(all(over).text, last.clone()));
+            left.push(Statement::when(all(over).text, phase(Phase::Final, true)?));
             // Of N and D the condition alone ends it while the step is active.
             let alone = association.condition.is_some() || association.qualifier == Qualifier::L;
             ends = alone.then(|| vec![Text::word(&*ran), stays]);
@@ -163,20 +127,17 @@ impl Flags<'_> {
     }
 
     /// What drives what runs; of what ends with its step, that this is left and that it is not.
-    fn driven(
-        &mut self,
-        association: &Association,
-        conditions: &mut Vec<Statement>,
-    ) -> Result<(String, Option<[Text; 2]>), Refused> {
+    fn driven(&mut self, association: &Association) -> Result<(String, Option<[Text; 2]>), Refused> {
         let (flag, qualifier) = (self.flag(association.step), association.qualifier);
         let with_step = Some([not(flag.clone()), flag]);
         if qualifier == Qualifier::N {
             let input = self.input(association)?;
-            return Ok((self.hoisted(input, association, conditions).text, with_step));
+            return Ok((self.hoisted(input, association).text, with_step));
         }
         // Its action control is one of its own, asked before the first action runs.
         let name = self.stored("Q_1");
-        conditions.extend(self.controlled(name.clone(), &[association])?);
+        let asked = self.controlled(name.clone(), &[association])?;
+        self.conditions.extend(asked);
         let left_or_not = match qualifier {
             // A delay begins anew with a step that is entered anew.
             Qualifier::D if self.may_reenter(association.step) => {
@@ -196,9 +157,9 @@ impl Flags<'_> {
         self.single && bare && !written[&place].otherwise
     }
 
-    fn of_grafcet(&mut self, written: &BTreeMap<Place, Written>) -> Result<Vec<Statement>, Refused> {
+    fn of_grafcet(&mut self, written: &BTreeMap<Place, Written>) -> Result<[Vec<Statement>; 2], Refused> {
         let model = self.model;
-        let (mut stored, mut rest, mut calls) = (Vec::new(), self.following()?, Vec::new());
+        let (mut stored, mut rest, mut calls) = (Vec::new(), in_a_row(self.following()?), Vec::new());
         let mut continuous: BTreeSet<Place> = in_order(model).into_iter().map(Place::Var).collect();
         for association in model.associations.values() {
             let role = role(model, association)?;
@@ -216,11 +177,11 @@ impl Flags<'_> {
                     }
                 }
                 Role::Body => {
-                    let mut none = Vec::new();
                     let (mut left, mut now) = (Vec::new(), Vec::new());
-                    self.body(association, &mut none, &mut left, &mut now)?;
+                    self.body(association, &mut left, &mut now)?;
                     calls.extend(left.into_iter().chain(now));
                 }
+                Role::Nothing => {}
                 Role::Event => stored.push(self.event(association)?),
                 Role::Activation | Role::Deactivation => {
                     let event = if role == Role::Activation {
@@ -228,7 +189,7 @@ impl Flags<'_> {
                     } else {
                         self.deactivated(association.step)
                     };
-                    stored.push(self.once(association, event, &mut Vec::new())?);
+                    stored.push(self.once(association, event)?);
                 }
                 Role::Set(place) | Role::Reset(place) if self.is_flip_flop(place, written) => {
                     if continuous.insert(place) {
@@ -238,7 +199,9 @@ impl Flags<'_> {
                 Role::Set(place) | Role::Reset(place) => {
                     let mut parts = vec![self.activated(association.step)];
                     if let Some(condition) = &association.condition {
-                        parts.push(self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+                        parts.push(self.instant(Moment::Called, association.mark, |scope, at| {
+                            scope.expr(condition, &Kind::Bool, at)
+                        })?);
                     }
                     let value = if association.qualifier == Qualifier::S { "TRUE" } else { "FALSE" };
                     stored.push(Statement::when(
@@ -249,7 +212,8 @@ impl Flags<'_> {
             }
         }
         stored.extend(self.clearing()?);
-        Ok(stored.into_iter().chain(rest).chain(calls).collect())
+        rest.extend(calls);
+        Ok([stored, rest])
     }
 
     /// One continuous call of an action by several associations: the last in the source of those that are active gives the arguments, and at the end
@@ -270,7 +234,7 @@ impl Flags<'_> {
             let told =
                 (format!("phase := {phase}"), Variable::new("phase", "INT").note("0 first, 1 repeated, 2 final"));
             calls.push(self.after(association, |scope, at| {
-                scope.call(action, arguments, told, &At { times: false, before: &BTreeMap::new(), ..*at })
+                scope.call(action, arguments, told, &At { before: &BTreeMap::new(), ..*at })
             })?);
         }
         let [on, before] = [&runs, &ran].map(|name| Text::word(&**name));
@@ -306,7 +270,9 @@ impl Flags<'_> {
             }
             let mut done = Vec::new();
             for effect in &transition.clearing {
-                done.extend(self.instant(transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
+                done.extend(
+                    self.instant(Moment::Called, transition.mark, |scope, at| run(scope, effect, Phase::First, at))?,
+                );
             }
             if !done.is_empty() {
                 // An `any` clears as a whole.
@@ -326,12 +292,12 @@ impl Flags<'_> {
 
     /// What follows the situation, each after what it reads: asked by transitions on the situation before the evolution, and by continuous actions on
     /// that behind it.
-    pub(super) fn following(&mut self) -> Result<Vec<Statement>, Refused> {
-        let mut statements = Vec::new();
+    pub(super) fn following(&mut self) -> Result<Vec<Asked>, Refused> {
+        let mut following = Vec::new();
         for var in in_order(self.model) {
-            statements.extend(self.control(Place::Var(var))?);
+            following.push((Read::Name(Name::Var(var)), self.control(Place::Var(var))?));
         }
-        Ok(statements)
+        Ok(following)
     }
 
     /// An action on an event runs if its step was active before the evolution.
@@ -346,9 +312,12 @@ impl Flags<'_> {
             any(vec![was, self.deactivated(association.step)])
         }];
         for condition in association.event.iter().chain(&association.condition) {
-            parts.push(self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+            parts.push(
+                self.instant(Moment::Called, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?,
+            );
         }
-        let done = self.instant(association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        let done = self
+            .instant(Moment::Called, association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
         Ok(Statement::when(all(parts).text, done))
     }
 }
