@@ -44,6 +44,40 @@ fn what_is_proved() {
     assert!(fs::read_to_string(folder.path().join("one.btor2")).is_ok_and(|text| text.contains("sort bitvec 1")));
 }
 
+/// What proves nothing: a plant that never moves, an assumption that leaves out nothing, assumptions that leave nothing.
+#[test]
+fn what_says_nothing() {
+    let charts = |waits: &str, claims: &str| {
+        format!(
+            "grafcet! {{ sfc Press {{ input start, top, bottom, on: bool; output lower, _lamp: bool; initial step Rest; step Down {{ lower; }} step Up;
+             Rest -[start && top]-> Down -[bottom]-> Up -[top]-> Rest; {claims} }}
+             plant Cylinder {{ input lower, _lamp: bool; output top, bottom, on: bool; initial step Top {{ top; on; }} step Bottom {{ bottom; on; }}
+             Top -[{waits}]-> Bottom -[!lower]-> Top; }} }}"
+        )
+    };
+    for (waits, claims, out) in [
+        ("lower", "never top && bottom;", ""),
+        ("_lamp", "never top && bottom;", "Press: stands still: plant Cylinder\n    it stays where it begins, "),
+        (
+            "lower",
+            "assume never on; never bottom;",
+            "Press: excludes everything: assume\n    with what is assumed no cycle ",
+        ),
+        (
+            "lower",
+            "assume often top && bottom; never top && bottom;",
+            "Press: excludes everything: assume often top && bottom\n    it never ",
+        ),
+        ("lower", "assume top && bottom leads_to start; never top && bottom;", "Press: excludes nothing: "),
+    ] {
+        let folder = folder(&[("charts.rs", &charts(waits, claims))]);
+        let done = tool(folder.path(), &["prove", "charts.rs"]);
+        let (proved, rest) = done.out.split_once('\n').expect("a verdict");
+        assert!(proved.starts_with("Press: proved: never "), "{claims}: {done:?}");
+        assert!(rest.starts_with(out) && rest.is_empty() == out.is_empty(), "{waits}, {claims}: {done:?}");
+    }
+}
+
 #[test]
 fn what_is_covered() {
     let files =

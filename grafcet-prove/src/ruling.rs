@@ -51,6 +51,7 @@ pub fn rule(model: &Model, facts: &Facts<'_>, asked: &[Question]) -> Vec<Ruling>
             Question::NeverHappens(number) => proved(vacuous(&circuit, number, &limit)),
             Question::NoCycle => proved(never(&circuit, Lit::TRUE, &limit)),
             Question::SaysNothing(number) => proved(says_nothing(&circuit, number, &limit)),
+            Question::StandsStill(number) => proved(never(&circuit, circuit.moves[number], &limit)),
             Question::Apart(one, other) => {
                 let (with, met) = circuit.meeting(one, other);
                 proved(never(&alone(&with), met, &limit))

@@ -1,5 +1,6 @@
 //! `cargo grafcet prove`
 
+mod nothing;
 mod progress;
 mod with;
 
@@ -104,6 +105,11 @@ fn one(chart: &Found, model: &Model, options: &Prove, checker: Option<&Checker>)
         let text = asked.text(index);
         let said = asked.property(index, &text)?;
         proved &= said.verdict == PROVED;
+        show(chart, &text, &said, start, options)?;
+    }
+    let start = Instant::now();
+    let internal = |error: Internal| Failure::Said(format!("{}: {error}", chart.name));
+    for (text, said) in asked.says_nothing().map_err(internal)? {
         show(chart, &text, &said, start, options)?;
     }
     Ok(proved)

@@ -25,6 +25,8 @@ pub enum Question {
     NeverComes(usize),
     /// Whether what is assumed to come one behind the other, with this number, is asked for at no time.
     SaysNothing(usize),
+    /// Whether the plant with this number stays in its initial situation, whatever the chart does.
+    StandsStill(usize),
     /// `grafcet`: whether these two never happen in one evolution, but for the activation of the initial situation.
     Apart(Change, Change),
     /// `grafcet`: whether every search for stability comes to its end.

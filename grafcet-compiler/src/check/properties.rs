@@ -2,10 +2,11 @@
 
 use super::rivals;
 use super::rulings::Rulings;
+use super::vacuous;
 use crate::analysis::explore::{Answer, Doubt, Given, Limits, Path, Stay, situation};
 use crate::analysis::{Claims, Facts, Prover, Question, Ruling, unlisted_of};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Claim, How, LevelAttr, Model, Name, Property, Read, StepId, TransitionId, Tree, Ty};
 use crate::sorted::Set;
 
@@ -37,7 +38,8 @@ pub(super) fn check(model: &Model, claims: &Claims<'_>, limits: Limits, told: &R
 fn by_solver(ruling: Option<&Ruling>) -> String {
     match ruling {
         Some(Ruling::Open(why)) => format!("; a solver was asked, too: {why}"),
-        _ => "; grafcet's feature `prove` asks a solver, too".to_owned(),
+        _ => "; `cargo grafcet prove` asks a solver, too, and so does the macro with grafcet's feature `prove`"
+            .to_owned(),
     }
 }
 
@@ -53,7 +55,8 @@ pub(super) fn with_plants(model: &Model, prover: Option<(&Prover, &Facts<'_>)>, 
     if open.is_empty() {
         return;
     }
-    let asked = open.iter().map(|number| Question::Holds(*number)).list();
+    let mut asked = open.iter().map(|number| Question::Holds(*number)).list();
+    asked.push_all(vacuous::questions(model, &open));
     let rulings = prover.map(|(prover, facts)| prover(model, facts, &asked)).unwrap_or_default();
     for (index, number) in open.iter().enumerate() {
         let property = &model.properties[*number];
@@ -68,11 +71,12 @@ pub(super) fn with_plants(model: &Model, prover: Option<(&Prover, &Facts<'_>)>, 
             None => report.undecided(
                 property,
                 &Doubt::Plants,
-                ": only a solver looks at plants, and grafcet's feature `prove` asks one; so does `cargo xtask prove`",
+                ": only a solver looks at plants, which `cargo grafcet prove` asks, and the macro with grafcet's feature `prove`",
                 sink,
             ),
         }
     }
+    vacuous::with_plants(model, &asked, &rulings, sink);
 }
 
 /// What other errors tell of why there is no way home.

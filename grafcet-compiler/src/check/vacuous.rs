@@ -2,7 +2,7 @@
 
 use super::rulings::Rulings;
 use crate::analysis::explore::Answer;
-use crate::analysis::{Claims, Logic, Question};
+use crate::analysis::{Claims, Logic, Question, Ruling};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{Claim, Model, Property, Read};
@@ -29,6 +29,51 @@ pub(super) fn check(model: &Model, claims: &Claims<'_>, told: &Rulings<'_>, sink
         };
         if never && !told_already(claims, property, sink) {
             never_happens(model, property, sink);
+        }
+    }
+}
+
+/// What a prover is asked of a chart with its plants, beside the properties with these numbers.
+pub(super) fn questions(model: &Model, properties: &[usize]) -> Vec<Question> {
+    let mut all = Vec::new();
+    let assumes = |model: &Model| !model.assumptions.is_empty();
+    if assumes(model) || !model.orders.is_empty() || model.plants.list.iter().any(|plant| assumes(&plant.model)) {
+        all.push(Question::NoCycle);
+    }
+    for (number, plant) in model.plants.list.iter().enumerate() {
+        // What has no transition shows something at once.
+        if !plant.model.transitions.is_empty() {
+            all.push(Question::StandsStill(number));
+        }
+    }
+    for number in properties {
+        if model.properties[*number].claim.trigger().is_some() {
+            all.push(Question::NeverHappens(*number));
+        }
+    }
+    all
+}
+
+/// The same of a chart with its plants, as far as the prover tells.
+pub(super) fn with_plants(model: &Model, asked: &[Question], rulings: &[Ruling], sink: &mut Sink) {
+    for (question, _) in asked.iter().zip(rulings).filter(|(_, ruling)| **ruling == Ruling::Holds) {
+        match *question {
+            Question::NoCycle => {
+                let message = "with what is assumed here and by the plants no cycle comes to its end, so that every property                                holds; correct the assumptions";
+                let name: Mark = (&model.name).into();
+                return assumed(model, name, message.to_owned(), sink);
+            }
+            Question::StandsStill(number) => {
+                let name = &model.plants.list[number].model.name;
+                let message = format!(
+                    "the plant `{name}` stays where it begins, whatever the chart does, so what is proved says nothing of it; look                      at what its transitions wait for"
+                );
+                assumed(model, name.into(), message, sink);
+            }
+            Question::NeverHappens(number) if !sink.broke(&rules::VACUOUS_PROPERTY) => {
+                never_happens(model, &model.properties[number], sink);
+            }
+            _ => {}
         }
     }
 }

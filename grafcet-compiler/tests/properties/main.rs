@@ -182,7 +182,7 @@ fn timed_outputs() {
         "never lamp && Cool.X;",
         "always Cool.X => lamp || bell;",
     ] {
-        fails(&chart(property), "property_undecided", "grafcet's feature `prove` asks a solver, too");
+        fails(&chart(property), "property_undecided", "`cargo grafcet prove` asks a solver, too");
     }
 }
 

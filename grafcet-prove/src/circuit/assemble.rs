@@ -129,6 +129,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             triggers,
             often,
             orders,
+            moves: self.moves,
             refused: claims.refused,
             rounds: self.rounds,
             evolutions: self.evolutions,

@@ -177,6 +177,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             homes: Vec::new(),
             triggers: Vec::new(),
             often: Vec::new(),
+            moves: Vec::new(),
             orders: Vec::new(),
             refused: Vec::new(),
             rounds: Vec::new(),

@@ -217,6 +217,8 @@ pub struct Circuit {
     pub often: Vec<Lit>,
     /// By what is assumed to come one behind the other: it is asked for in this cycle.
     pub orders: Vec<Lit>,
+    /// By plant: its situation at the end of this cycle is not the initial one.
+    pub moves: Vec<Lit>,
     /// By property: what in it is not modelled.
     pub refused: Vec<(usize, Refused)>,
     /// A search for stability gets to its first evolution, to its second one and so on.
@@ -251,6 +253,8 @@ pub(crate) struct Lowering<'p, 'm> {
     elapsed: Bits,
     /// By plant, by output: at the end of the cycle before.
     shown: Vec<Vec<Sym>>,
+    /// By plant: it is not where it began.
+    moves: Vec<Lit>,
     /// By place: what it begins with.
     initial: Vec<Sym>,
     /// Where the statement at hand is reached.
@@ -352,6 +356,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             given: Vec::new(),
             elapsed: bits::constant(0),
             shown: Vec::new(),
+            moves: Vec::new(),
             initial: Vec::new(),
             path: Lit::TRUE,
             overflow: Lit::FALSE,

@@ -60,6 +60,10 @@ impl<'p, 'm> Lowering<'p, 'm> {
             self.overflow = self.aig.or(self.overflow, of_part.overflow);
             self.panics = self.aig.or(self.panics, of_part.panics);
             self.constraint = self.aig.and(self.constraint, of_part.constraint);
+            std::mem::swap(&mut self.aig, &mut part.lowering.aig);
+            let moves = part.moves();
+            std::mem::swap(&mut self.aig, &mut part.lowering.aig);
+            self.moves.push(moves?);
         }
         let model: &'m Model = self.program.model;
         for watched in &model.plants.watched {
@@ -185,6 +189,20 @@ impl<'p, 'm> Part<'p, 'm> {
         of_part.constraint = of_part.aig.and(of_part.constraint, assumed);
         self.end = end;
         Ok(())
+    }
+
+    /// Its situation is not the initial one at the end of the cycle.
+    fn moves(&mut self) -> Result<Lit, Refused> {
+        let (begin, end) = (self.begin.clone(), self.end.clone());
+        let mut moves = Lit::FALSE;
+        for step in self.lowering.program.model.steps.ids() {
+            let was = self.lowering.is_active(step, &begin)?;
+            let is = self.lowering.is_active(step, &end)?;
+            let aig = &mut self.lowering.aig;
+            let same = aig.iff(was, is);
+            moves = aig.or(moves, !same);
+        }
+        Ok(moves)
     }
 
     fn seen(&mut self, what: Seen) -> Result<Sym, Refused> {

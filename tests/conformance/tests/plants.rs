@@ -3,11 +3,11 @@
 use std::time::Duration;
 
 use grafcet_compiler::analysis::{Facts, Prover};
-use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::diagnostic::{Diagnostic, Sink};
 use grafcet_compiler::model::{Id, Model, Wire};
 use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Role, counted};
-use grafcet_compiler::{Wanted, compile_with};
+use grafcet_compiler::{Wanted, compile_with, diagnose};
 use grafcet_conformance::prove::{Bounds, Counts};
 use grafcet_conformance::with_plants;
 use grafcet_prove::circuit::{Circuit, Source};
@@ -141,6 +141,58 @@ fn the_macro_says_that_it_is_with_the_plant() {
 }
 
 /// What the controller gets does not depend on a plant, nor on what is claimed with it.
+/// What holds because nothing happens, with the plant alone: a plant that never moves, a left side that it never lets come, assumptions that leave
+/// no cycle.
+#[test]
+fn what_says_nothing_with_the_plant_is_said() {
+    const MOVES: &str =
+        "initial step Top { top; on; } step Bottom { bottom; on; } Top -[lower]-> Bottom -[!lower]-> Top;";
+    const STANDS: &str =
+        "initial step Top { top; on; } step Bottom { bottom; on; } Top -[lamp]-> Bottom -[!lower]-> Top;";
+    const HALF: &str = "initial step Top { top; on; } step Bottom { bottom; on; } step Jam { bottom; on; } Top -[lower]-> Bottom -[lower && 2s/Bottom]-> Jam \
+                        -[!lower]-> Top; Bottom -[!lower]-> Top;";
+    let said = |plant: &str, claims: &str| {
+        let chart = format!(
+            "sfc Press {{
+                input start, top, bottom, on: bool;
+                output lower, lamp: bool;
+                initial step Rest;
+                step Down {{ lower; }}
+                step Up;
+                Rest -[start && top]-> Down -[bottom]-> Up -[top]-> Rest;
+                {claims}
+            }}
+            plant Cylinder {{ input lower, lamp: bool; output top, bottom, on: bool; {plant} }}"
+        );
+        let prover: Option<&Prover> = Some(&grafcet_prove::rule);
+        let tokens = chart.parse().expect("tokens");
+        let said = diagnose(tokens, Wanted { recorded: false, prover });
+        let vacuous = |message: &Diagnostic| message.rule.is_some_and(|rule| rule.name.starts_with("vacuous"));
+        said.into_iter()
+            .filter(vacuous)
+            .flat_map(|message| message.notes)
+            .map(|(_, text)| text)
+            .collect::<Vec<String>>()
+    };
+    for (plant, claims, what) in [
+        (MOVES, "never lower && top && bottom;", None),
+        (MOVES, "always Cylinder::Bottom.X => lower || Up.X;", None),
+        (
+            STANDS,
+            "never lower && top && bottom;",
+            Some("the plant `Cylinder` stays where it begins, whatever the chart does"),
+        ),
+        (HALF, "always Cylinder::Jam.X => lower;", Some("`Cylinder::Jam.X` holds at the end of no cycle")),
+        (MOVES, "assume never on; never lower;", Some("no cycle comes to its end")),
+    ] {
+        let warnings = said(plant, claims);
+        match what {
+            None => assert_eq!(warnings, Vec::<String>::new(), "{claims}"),
+            Some(what) => assert!(matches!(&warnings[..], [one] if one.contains(what)), "{claims}: {warnings:?}"),
+        }
+    }
+}
+
 #[test]
 fn a_plant_costs_the_controller_nothing() {
     let call = press("top", "never alarm; never Rest.X && Cylinder::Bottom.X;");
