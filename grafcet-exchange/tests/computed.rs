@@ -224,3 +224,31 @@ fn a_final_scan_by_leaving() {
     assert_eq!(scan(1_400, true), (4, 1, vec![]));
     assert_eq!(scan(1_500, false), (2, 0, vec![]));
 }
+
+const FUNCTIONS: &str = "sfc Functions { input n, m: u16; input k: i8; input fast: bool; output a, b, c, d: u16; output e: i8; output less, small: bool;
+    initial step Run { a = n.min(m) + 1; b = n.max(5); c = n.clamp(2, 9); d = if fast && n > 3 { n - 1 } else { m }; e = k.min(-2);
+        less if n.min(m) < 4; small if (if fast { n } else { m }) < 4; }
+    step Other; Run -[n == 9]-> Other -[n == 0]-> Run; }";
+
+/// What Rust has methods for, and a choice of two values.
+#[test]
+fn functions_of_the_standard() {
+    let names = ["a", "b", "c", "d", "e", "less", "small"];
+    let of = |n, m, k, fast| {
+        let inputs = [("n", Value::Int(n)), ("m", Value::Int(m)), ("k", Value::Int(k)), ("fast", Value::Bool(fast))];
+        shown(FUNCTIONS, &inputs, &names)
+    };
+    assert_eq!(of(4, 7, 5, true), [5, 5, 4, 3, -2, 0, 0]);
+    assert_eq!(of(40, 3, -7, false), [4, 40, 9, 3, -7, 1, 1]);
+    assert_eq!(of(1, 8, -2, true), [2, 5, 2, 8, -2, 1, 1]);
+    let text = program(FUNCTIONS, Flavour::Iec);
+    for line in [
+        "a := MIN(n, m) + 1;",
+        "c := MIN(MAX(n, 2), 9);",
+        "d := SEL(fast AND n > 3, m, n - 1);",
+        "less := SR_Run AND MIN(n, m) < 4;",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    assert!(program(FUNCTIONS, Flavour::Tia).contains("#d := SEL(G := #fast AND #n > 3, IN0 := #m, IN1 := #n - 1);"));
+}

@@ -12,7 +12,7 @@ use super::names::Names;
 use super::since::may_read_times;
 use super::syntax::{Stub, Variable};
 use super::text::{Text, any, not, strength};
-use super::{real, time};
+use super::{functions, real, time};
 use crate::Refused;
 
 /// What a value is.
@@ -229,9 +229,10 @@ impl<'m> Scope<'m> {
                 Ok(Text { text: format!("-{inner}"), strength: strength::SUM })
             }
             Tree::Binary(operator, a, b) => self.binary(*operator, [a, b], wanted, at),
-            Tree::Opaque { text, reads, .. } => match real::literal(text) {
-                Some(number) => Ok(Text::word(number)),
-                None => self.opaque(text, reads, wanted, at),
+            Tree::Opaque { text, reads, of, .. } => match (real::literal(text), of) {
+                (Some(number), _) => Ok(Text::word(number)),
+                (None, Some(of)) if functions::is_one(of) => self.function(of, wanted, at),
+                (None, _) => self.opaque(text, reads, wanted, at),
             },
         }
     }
@@ -311,6 +312,10 @@ impl<'m> Scope<'m> {
                     (one, _) => one,
                 },
             },
+            Tree::Opaque { of: Some(of), .. } if functions::is_one(of) => {
+                let kinds = functions::values(of).iter().map(|value| self.kind(value));
+                kinds.reduce(|one, other| if matches!(one, None | Some(Kind::Number)) { other } else { one }).flatten()
+            }
             Tree::Opaque { .. } => None,
         }
     }

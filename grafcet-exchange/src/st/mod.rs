@@ -19,6 +19,7 @@ pub(crate) mod fits;
 mod flags;
 mod flavour;
 pub(crate) mod frame;
+mod functions;
 pub(crate) mod header;
 mod memory;
 pub(crate) mod names;

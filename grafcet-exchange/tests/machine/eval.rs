@@ -176,12 +176,15 @@ impl Machine {
         }
     }
 
-    fn function(function: &str, a: Value, b: Value) -> Result<Value, String> {
-        match (function, a, b) {
-            ("shl" | "shr", ..) => super::bits::shifted(function, a, b),
-            ("min", Value::Time(a), Value::Time(b)) => Ok(Value::Time(a.min(b))),
-            ("max", Value::Time(a), Value::Time(b)) => Ok(Value::Time(a.max(b))),
-            _ => Err(format!("{function}({a:?}, {b:?})")),
+    fn function(function: &str, given: &[Value]) -> Result<Value, String> {
+        match (function, given) {
+            ("shl" | "shr", [a, b]) => super::bits::shifted(function, *a, *b),
+            ("min", [Value::Time(a), Value::Time(b)]) => Ok(Value::Time(*a.min(b))),
+            ("max", [Value::Time(a), Value::Time(b)]) => Ok(Value::Time(*a.max(b))),
+            ("min", [Value::Int(a), Value::Int(b)]) => Ok(Value::Int(*a.min(b))),
+            ("max", [Value::Int(a), Value::Int(b)]) => Ok(Value::Int(*a.max(b))),
+            ("sel", [Value::Bool(second), a, b]) => Ok(if *second { *b } else { *a }),
+            _ => Err(format!("{function}({given:?})")),
         }
     }
 
@@ -200,7 +203,10 @@ impl Machine {
                 other => Err(format!("NOT {other:?}")),
             },
             Expression::Converted(from, to, inner) => super::bits::converted(from, to, self.value(inner)?),
-            Expression::Function(function, a, b) => Self::function(function, self.value(a)?, self.value(b)?),
+            Expression::Function(function, given) => {
+                let given = given.iter().map(|one| self.value(one)).collect::<Result<Vec<_>, _>>()?;
+                Self::function(function, &given)
+            }
             Expression::Minus(inner) => match self.value(inner)? {
                 Value::Int(number) => Ok(Value::Int(-number)),
                 Value::Real(real) => Ok(Value::Real(Real::new(-real.number(), real.single))),

@@ -44,8 +44,8 @@ pub(crate) enum Expression {
     Milliseconds(Box<Expression>),
     /// `UINT_TO_WORD(…)`
     Converted(String, String, Box<Expression>),
-    /// `SHL`, `SHR`, `MIN`, `MAX`.
-    Function(&'static str, Box<Expression>, Box<Expression>),
+    /// `SHL`, `SHR`, `MIN`, `MAX`, `SEL`.
+    Function(&'static str, Vec<Expression>),
 }
 
 /// Words that are no names.
@@ -77,11 +77,12 @@ const KEYWORDS: [&str; 24] = [
 ];
 
 /// Functions of the standard, each with the names of its inputs.
-const FUNCTIONS: [(&str, &str, [&str; 2]); 4] = [
-    ("shl", "shl", ["in", "n"]),
-    ("shr", "shr", ["in", "n"]),
-    ("min", "min", ["in1", "in2"]),
-    ("max", "max", ["in1", "in2"]),
+const FUNCTIONS: [(&str, &[&str]); 5] = [
+    ("shl", &["in", "n"]),
+    ("shr", &["in", "n"]),
+    ("min", &["in1", "in2"]),
+    ("max", &["in1", "in2"]),
+    ("sel", &["g", "in0", "in1"]),
 ];
 
 /// From weak to strong.
@@ -419,14 +420,15 @@ impl Parser {
     /// A conversion or a function of the standard.
     fn standard(&mut self) -> Result<Option<Expression>, String> {
         let Some(Token::Word(word)) = self.peek().cloned() else { return Ok(None) };
-        if let Some((_, function, inputs)) = FUNCTIONS.into_iter().find(|(name, ..)| *name == word) {
+        if let Some((function, inputs)) = FUNCTIONS.into_iter().find(|(name, _)| *name == word) {
             self.at += 1;
-            self.need("(")?;
-            let first = self.input(inputs[0])?;
-            self.need(",")?;
-            let second = self.input(inputs[1])?;
+            let mut given = Vec::new();
+            for (index, input) in inputs.iter().enumerate() {
+                self.need(if index == 0 { "(" } else { "," })?;
+                given.push(self.input(input)?);
+            }
             self.need(")")?;
-            return Ok(Some(Expression::Function(function, Box::new(first), Box::new(second))));
+            return Ok(Some(Expression::Function(function, given)));
         }
         let is_bits = |name: &str| super::bits::length(name).is_some();
         let parts = word.split_once("_to_").filter(|(from, to)| is_bits(from) != is_bits(to) || word == "time_to_dint");

@@ -59,7 +59,7 @@ fn positional(text: &str) -> String {
         match word.text() {
             "(" => {
                 let called = at.checked_sub(1).map(|before| words[before]);
-                open.push(matches!(called, Some(Word::Called("SHL" | "SHR" | "MIN" | "MAX"))));
+                open.push(matches!(called, Some(Word::Called("SHL" | "SHR" | "MIN" | "MAX" | "SEL"))));
             }
             ")" => _ = open.pop(),
             _ => {}
