@@ -44,8 +44,9 @@ pub fn decide_live(program: &Program<'_>, circuit: &Circuit, live: Live, limit: 
     let task = Task::new(&lasso.circuit, lasso.bad);
     let mut unrolled = Unrolled::new(&task, limit);
     let (mut bound, mut steps) = (1, FIRST_STEPS);
-    for cycles in std::iter::once(CYCLES).chain(MORE_CYCLES).chain(std::iter::repeat(CYCLES)) {
-        for _ in 0..cycles {
+    let mut more = std::iter::once(CYCLES).chain(MORE_CYCLES);
+    loop {
+        for _ in 0..more.next().unwrap_or(CYCLES) {
             match unrolled.cycle() {
                 Ok(Some(way)) => return shown(program, circuit, &goal, &lasso, &way),
                 Ok(None) => {}
@@ -60,7 +61,6 @@ pub fn decide_live(program: &Program<'_>, circuit: &Circuit, live: Live, limit: 
         }
         (bound, steps) = (bound * 2, steps * 2);
     }
-    Ok(Verdict::Undecided(OVER.to_owned()))
 }
 
 /// That the chart waits for less than so many rounds; none where that is not so, or not found out.

@@ -70,9 +70,7 @@ pub(super) fn with_plants(model: &Model, asked: &[Question], rulings: &[Ruling],
                 );
                 assumed(model, name.into(), message, sink);
             }
-            Question::NeverHappens(number) if !sink.broke(&rules::VACUOUS_PROPERTY) => {
-                never_happens(model, &model.properties[number], sink);
-            }
+            Question::NeverHappens(number) => never_happens(model, &model.properties[number], sink),
             _ => {}
         }
     }

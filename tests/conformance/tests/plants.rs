@@ -191,6 +191,9 @@ fn what_says_nothing_with_the_plant_is_said() {
             Some(what) => assert!(matches!(&warnings[..], [one] if one.contains(what)), "{claims}: {warnings:?}"),
         }
     }
+    // Each of several.
+    let both = said(HALF, "always Cylinder::Jam.X => lower; always Cylinder::Jam.X && lower => bottom;");
+    assert_eq!(both.len(), 2, "{both:?}");
 }
 
 #[test]
