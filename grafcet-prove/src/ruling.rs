@@ -5,15 +5,15 @@ use grafcet_compiler::analysis::{Facts, Question, Ruling};
 use grafcet_compiler::model::{Claim, Model};
 use grafcet_compiler::program::{Encoding, Program, counted};
 
-use crate::aig::Lit;
 use crate::circuit::Circuit;
 use crate::home::decide_home;
 use crate::limit::{Effort, Limit};
 use crate::live::decide_live;
+use crate::questions::is_so;
 use crate::replay::Shown;
 use crate::table::table;
 use crate::task::Invariant;
-use crate::verdict::{Internal, OVER, Verdict, decide, never, says_nothing, vacuous};
+use crate::verdict::{Internal, OVER, Verdict, decide};
 
 /// So many gates and no more: a macro is built without optimisation.
 const GATES: usize = 400_000;
@@ -48,16 +48,7 @@ pub fn rule(model: &Model, facts: &Facts<'_>, asked: &[Question]) -> Vec<Ruling>
         let limit = Limit::work(STEPS.saturating_mul(times)).within(share);
         match *question {
             Question::Holds(number) => holds(&program, &circuit, number, &limit),
-            Question::NeverHappens(number) => proved(vacuous(&circuit, number, &limit)),
-            Question::NoCycle => proved(never(&circuit, Lit::TRUE, &limit)),
-            Question::SaysNothing(number) => proved(says_nothing(&circuit, number, &limit)),
-            Question::StandsStill(number) => proved(never(&circuit, circuit.moves[number], &limit)),
-            Question::Apart(one, other) => {
-                let (with, met) = circuit.meeting(one, other);
-                proved(never(&alone(&with), met, &limit))
-            }
-            Question::Settles => proved(never(&alone(&circuit), circuit.unsettled, &limit)),
-            Question::NeverComes(number) => proved(never(&circuit, circuit.often[number], &limit)),
+            question => proved(is_so(&circuit, question, &limit)),
         }
     };
     // What is about one cycle is mostly easier than what comes after another, or a way home.
@@ -93,11 +84,6 @@ fn shared(
         }
     }
     rulings.into_iter().map(|(ruling, _)| ruling).collect()
-}
-
-/// The rules of a chart do not rely on what is assumed to come one behind the other.
-fn alone(circuit: &Circuit) -> Circuit {
-    Circuit { constraint: circuit.without_orders, ..circuit.clone() }
 }
 
 /// Of what is only said where it is proved.

@@ -5,7 +5,7 @@
 use super::combinational::written_out;
 use super::explore::{Answer, Doubt, Exploration, Limits, Stay, alone};
 use super::{Facts, Logic, Nesting, visible};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Claim, Effect, Expr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree, Ty};
 use crate::sorted::Set;
 
@@ -31,6 +31,27 @@ pub enum Question {
     Apart(Change, Change),
     /// `grafcet`: whether every search for stability comes to its end.
     Settles,
+}
+
+impl Question {
+    /// What can be asked of what a chart assumes, by itself and by its plants.
+    #[must_use]
+    pub fn of_assumptions(model: &Model) -> Vec<Self> {
+        let mut all = Vec::new();
+        let assumes = |model: &Model| !model.assumptions.is_empty() || !model.orders.is_empty();
+        if assumes(model) || model.plants.list.iter().any(|plant| assumes(&plant.model)) {
+            all.push(Self::NoCycle);
+        }
+        all.push_all((0..model.often.len()).map(Self::NeverComes));
+        all.push_all((0..model.orders.len()).map(Self::SaysNothing));
+        for (number, plant) in model.plants.list.iter().enumerate() {
+            // What has no transition shows something at once.
+            if !plant.model.transitions.is_empty() {
+                all.push(Self::StandsStill(number));
+            }
+        }
+        all
+    }
 }
 
 /// What an evolution does.

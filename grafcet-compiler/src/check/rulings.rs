@@ -57,13 +57,8 @@ fn questions(model: &Model, claims: &Claims<'_>) -> Vec<Question> {
             }
         }
     }
-    let assumes = !model.assumptions.is_empty() || !model.orders.is_empty();
-    if !all.is_empty() && assumes {
-        all.push(Question::NoCycle);
-    }
     if !all.is_empty() {
-        all.push_all((0..model.often.len()).map(Question::NeverComes));
-        all.push_all((0..model.orders.len()).map(Question::SaysNothing));
+        all.push_all(Question::of_assumptions(model));
     }
     all
 }

@@ -5,7 +5,7 @@ use crate::analysis::explore::Answer;
 use crate::analysis::{Claims, Logic, Question, Ruling};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
-use crate::model::{Claim, Model, Property, Read};
+use crate::model::{Claim, Expr, Model, Order, Property, Read};
 
 /// Reports what the conditions alone, the search and the prover show.
 pub(super) fn check(model: &Model, claims: &Claims<'_>, told: &Rulings<'_>, sink: &mut Sink) {
@@ -35,17 +35,7 @@ pub(super) fn check(model: &Model, claims: &Claims<'_>, told: &Rulings<'_>, sink
 
 /// What a prover is asked of a chart with its plants, beside the properties with these numbers.
 pub(super) fn questions(model: &Model, properties: &[usize]) -> Vec<Question> {
-    let mut all = Vec::new();
-    let assumes = |model: &Model| !model.assumptions.is_empty();
-    if assumes(model) || !model.orders.is_empty() || model.plants.list.iter().any(|plant| assumes(&plant.model)) {
-        all.push(Question::NoCycle);
-    }
-    for (number, plant) in model.plants.list.iter().enumerate() {
-        // What has no transition shows something at once.
-        if !plant.model.transitions.is_empty() {
-            all.push(Question::StandsStill(number));
-        }
-    }
+    let mut all = Question::of_assumptions(model);
     for number in properties {
         if model.properties[*number].claim.trigger().is_some() {
             all.push(Question::NeverHappens(*number));
@@ -70,6 +60,8 @@ pub(super) fn with_plants(model: &Model, asked: &[Question], rulings: &[Ruling],
                 );
                 assumed(model, name.into(), message, sink);
             }
+            Question::NeverComes(number) => never_comes(model, &model.often[number], sink),
+            Question::SaysNothing(number) => excludes_nothing(model, &model.orders[number], sink),
             Question::NeverHappens(number) => never_happens(model, &model.properties[number], sink),
             _ => {}
         }
@@ -79,15 +71,19 @@ pub(super) fn with_plants(model: &Model, asked: &[Question], rulings: &[Ruling],
 /// What nothing leads to, or comes before.
 fn orders(model: &Model, told: &Rulings<'_>, sink: &mut Sink) {
     for (number, order) in model.orders.iter().enumerate() {
-        let Some(trigger) = order.claim.trigger().filter(|_| told.is_so(Question::SaysNothing(number))) else {
-            continue;
-        };
-        let message = format!(
-            "`{}` holds at the end of no cycle, so this assumption excludes nothing; correct it, or leave it out",
-            trigger.text
-        );
-        assumed(model, order.mark, message, sink);
+        if told.is_so(Question::SaysNothing(number)) {
+            excludes_nothing(model, order, sink);
+        }
     }
+}
+
+fn excludes_nothing(model: &Model, order: &Order, sink: &mut Sink) {
+    let Some(trigger) = order.claim.trigger() else { return };
+    let message = format!(
+        "`{}` holds at the end of no cycle, so this assumption excludes nothing; correct it, or leave it out",
+        trigger.text
+    );
+    assumed(model, order.mark, message, sink);
 }
 
 /// What excludes nothing, and what never comes or always does.
@@ -108,18 +104,22 @@ fn assumptions(model: &Model, told: &Rulings<'_>, sink: &mut Sink) {
     for (number, often) in model.often.iter().enumerate() {
         let condition = logic.condition(&often.tree);
         if logic.never(&condition) || told.is_so(Question::NeverComes(number)) {
-            let message = format!(
-                "`{}` never holds, so it cannot come again and again, and under this assumption every `leads_to` would hold; \
-                 correct it",
-                often.text
-            );
-            assumed(model, often.mark, message, sink);
+            never_comes(model, often, sink);
         } else if logic.always(&condition) {
             let message =
                 format!("`{}` always holds, so nothing follows from this assumption; leave it out", often.text);
             assumed(model, often.mark, message, sink);
         }
     }
+}
+
+fn never_comes(model: &Model, often: &Expr, sink: &mut Sink) {
+    let message = format!(
+        "`{}` never holds, so it cannot come again and again, and under this assumption every `leads_to` would hold; \
+         correct it",
+        often.text
+    );
+    assumed(model, often.mark, message, sink);
 }
 
 /// It is about a step of which an error tells that it is never active.

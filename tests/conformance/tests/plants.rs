@@ -184,6 +184,8 @@ fn what_says_nothing_with_the_plant_is_said() {
         ),
         (HALF, "always Cylinder::Jam.X => lower;", Some("`Cylinder::Jam.X` holds at the end of no cycle")),
         (MOVES, "assume never on; never lower;", Some("no cycle comes to its end")),
+        (MOVES, "assume often top && bottom; never top && bottom;", Some("so it cannot come again and again")),
+        (MOVES, "assume top && bottom leads_to start; never top && bottom;", Some("this assumption excludes nothing")),
     ] {
         let warnings = said(plant, claims);
         match what {

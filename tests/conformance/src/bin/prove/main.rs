@@ -3,16 +3,15 @@
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::analysis::{Facts, Question};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_conformance::prove::differs;
-use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::Invariant;
-use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, never, table, vacuous, words};
+use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, is_so, table, vacuous, words};
 use proc_macro2::{TokenStream, TokenTree};
 
 mod random;
@@ -201,19 +200,28 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
     Ok(proved)
 }
 
-/// Says which assumptions are empty, and whether they leave nothing at all.
+/// Says what nothing follows from, and whether the assumptions leave nothing at all.
 fn assumed(program: &Program<'_>, circuit: &Circuit, options: &Options) -> Result<bool, String> {
-    let limit = || Limit::time(options.time.unwrap_or(Duration::from_secs(10)));
-    let proof = never(circuit, Lit::TRUE, &limit()).map_err(|error| error.to_string())?;
-    if let Some(proof) = proof {
-        println!("  no cycle comes to its end, so that every property holds: correct the assumptions");
+    let model = program.model;
+    for question in Question::of_assumptions(model) {
+        let limit = Limit::time(options.time.unwrap_or(Duration::from_secs(10)));
+        let Some(proof) = is_so(circuit, question, &limit).map_err(|error| error.to_string())? else { continue };
+        match question {
+            Question::NoCycle => {
+                println!("  no cycle comes to its end, so that every property holds: correct the assumptions");
+            }
+            Question::NeverComes(number) => {
+                println!("  assumed to come again and again, and never so: {}", model.often[number].text);
+            }
+            Question::SaysNothing(number) => println!("  assumption {number} of what comes in order excludes nothing"),
+            Question::StandsStill(number) => {
+                println!("  the plant {} stays where it begins", model.plants.list[number].model.name);
+            }
+            _ => continue,
+        }
         why(program, circuit, &proof, options);
-        return Ok(true);
-    }
-    for (often, comes) in program.model.often.iter().zip(&circuit.often) {
-        if let Some(proof) = never(circuit, *comes, &limit()).map_err(|error| error.to_string())? {
-            println!("  assumed to come again and again, and never so: {}", often.text);
-            why(program, circuit, &proof, options);
+        if question == Question::NoCycle {
+            return Ok(true);
         }
     }
     Ok(false)
