@@ -174,6 +174,7 @@ pub mod __private {
     pub use __under as under;
     #[cfg(feature = "record")]
     pub use grafcet_core::__recorded as recorded;
+    pub use grafcet_core::fence::fence_on_armv6m;
     #[cfg(feature = "record")]
     pub use grafcet_core::record::Blocked;
     pub use grafcet_core::values::{copied, default_value, is_same, name_at};

@@ -5,6 +5,8 @@
 
 mod chart;
 pub mod description;
+#[doc(hidden)]
+pub mod fence;
 #[cfg(any(feature = "fugit", feature = "embassy-time"))]
 mod instants;
 mod phase;

@@ -259,6 +259,7 @@ impl Line24V {
         let mut evolutions: ::grafcet::__private::u32 = 0;
         loop {
             let inputs = ::grafcet::__private::core::hint::black_box(inputs);
+            ::grafcet::__private::fence_on_armv6m();
             match now_state {
                 __Line24VState::S1 => {
                     if inputs.b1 {

@@ -268,6 +268,8 @@ pub enum Statement<'m> {
 pub enum Fence {
     /// No access to memory is moved across it.
     Memory,
+    /// The same on ARMv6-M alone.
+    Armv6m,
     /// What has been found out of the inputs in front of it is not known any more: none is read before it is asked for.
     Inputs,
 }

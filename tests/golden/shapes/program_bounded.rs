@@ -17,6 +17,7 @@ impl Lamp {
         let mut evolutions: u32 = 0;
         loop {
             let inputs = core::hint::black_box(inputs);
+            fence_on_armv6m();
             match now_state {
                 __LampState::Off => {
                     edge0_now = inputs.next;

@@ -13,6 +13,7 @@ impl Lamp {
         let mut now_state: __LampState = self.situation;
         loop {
             let inputs = core::hint::black_box(inputs);
+            fence_on_armv6m();
             match now_state {
                 __LampState::Off => {
                     if inputs.on {

@@ -156,6 +156,10 @@ impl<'m> Printer<'_, 'm> {
                 let atomic = quote!(#p::core::sync::atomic);
                 quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
             }
+            Statement::Fence(Fence::Armv6m) => {
+                let p = &self.cx.p;
+                quote!(#p::fence_on_armv6m();)
+            }
             Statement::Part(..) | Statement::Mark(_) => TokenStream::new(),
         }
     }

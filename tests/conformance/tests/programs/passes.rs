@@ -103,6 +103,42 @@ fn each_pass_is_as_recorded() {
     }
 }
 
+/// A fence stands where a register would hold a step for too long, or a jump table have a word for each.
+#[test]
+fn fences_stand_by_the_shape_of_an_evolution() {
+    let wash = wash();
+    let table = "  fence on ARMv6-M\n  if goes:";
+    // Ways of their own, to states that share what they do.
+    let rungs = |steps: usize| {
+        let mut text = "sfc Rungs { input a, b: bool; output p: bool; var n: u8 = 0; ".to_owned();
+        for step in 0..steps {
+            let (on, far, action) =
+                ((step + 1) % steps, (step + 3) % steps, ["", "p;", "P1 n = n.wrapping_add(1);"][step % 3]);
+            let (initial, on_time) = (if step == 0 { "initial " } else { "" }, format!("{}ms/S{step}", step + 2));
+            let input = ["a", "b"][step % 2];
+            _ = write!(text, "{initial}step S{step} {{ {action} }} ");
+            _ = write!(text, "S{step} -[{input}]-> S{on}; S{step} -[!{input} && {on_time}]-> S{far}; ");
+        }
+        text + "}"
+    };
+    let long = rungs(30).replacen("sfc", "grafcet", 1);
+    let circle = circle("")
+        .replacen("input a, b, d", "input a, b", 1)
+        .replace("-[b]-> S2;", "-[a && 5ms/S1]-> S2; S1 -[b && !a]-> S0;");
+    for (chart, there, elsewhere) in [
+        (&wash, table, "\n  fence\n"),
+        (&rungs(12), "  fence on ARMv6-M\n  match ", "if goes"),
+        (&rungs(5), "match state", "fence"),
+        (&circle, "    fence on ARMv6-M\n", "if gone"),
+        (&circle, "    fence\n    if goes: now.state = table(state)", "if gone"),
+        (&circle, "  fence\n  match state", "if gone"),
+        (&long, "    fence inputs\n    fence\n", "fence on ARMv6-M"),
+    ] {
+        let text = optimised(&read(chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string();
+        assert!(text.contains(there) && !text.contains(elsewhere), "{there}\n{text}");
+    }
+}
+
 /// Two branches by time, of which one has a step that stays active beyond it.
 pub(super) fn kettle(more: &str) -> String {
     format!(

@@ -1,0 +1,12 @@
+//! What keeps the optimiser from making more of generated code than it has to, where that depends on the processor.
+
+/// No access to memory is moved across it on ARMv6-M (Cortex-M0, M0+, M1); on all other processors it is nothing.
+///
+/// A jump table takes a word for each step there, or a byte, if nothing behind the jump asks for the step that it went by. What is behind this
+/// reads the step anew.
+// Of the processors of this architecture only these, and some that are older, cannot exchange a word in one instruction.
+#[inline(always)]
+pub fn fence_on_armv6m() {
+    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+}
