@@ -21,6 +21,8 @@ pub struct Programmed<'p, 'm> {
     vars: Vec<PlaceId>,
     stable: Option<PlaceId>,
     names: Names,
+    /// What outputs show between `init` and the next cycle, where no field keeps them: a cycle returns them, and begins with what is best for it.
+    initial: Option<BTreeMap<String, i128>>,
 }
 
 /// The names of a chart as text, which is asked for in every cycle.
@@ -51,13 +53,14 @@ impl<'p, 'm> Programmed<'p, 'm> {
             outputs: model.outputs.values().map(|output| plain(&output.name)).collect(),
             steps: model.steps.values().map(|step| plain(&step.name)).collect(),
         };
-        Ok(Self { program, machine, outputs, vars, stable: program.place(Role::Stable), names })
+        Ok(Self { program, machine, outputs, vars, stable: program.place(Role::Stable), names, initial: None })
     }
 
     fn step(&mut self, inputs: &Values, now: u32) -> Result<Cycle, String> {
         let model = self.program.model;
         let inputs = model.inputs.values().zip(&self.names.inputs).map(|(i, name)| value(given(inputs, name), &i.ty));
         let inputs: Vec<Value> = inputs.collect();
+        self.initial = None;
         self.machine.cycle(&inputs, now, &mut Nothing).map_err(|error| error.to_string())
     }
 
@@ -84,6 +87,7 @@ impl Subject for Programmed<'_, '_> {
 
     fn init(&mut self) -> Result<(), String> {
         self.machine.init();
+        self.initial = Some(Interpreted::new(self.program.model)?.shown().outputs);
         Ok(())
     }
 
@@ -99,9 +103,13 @@ impl Subject for Programmed<'_, '_> {
     fn shown(&self) -> Shown {
         let mut outputs = BTreeMap::new();
         for (id, name) in self.program.model.outputs.ids().zip(&self.names.outputs) {
-            match number(self.output(id)) {
-                0 => {}
-                value => _ = outputs.insert(name.clone(), value),
+            let kept = self.program.places[self.outputs[id.index()].0].is_field;
+            let value = match &self.initial {
+                Some(initial) if !kept => initial.get(name).copied().unwrap_or_default(),
+                _ => number(self.output(id)),
+            };
+            if value != 0 {
+                outputs.insert(name.clone(), value);
             }
         }
         for step in self.machine.late_steps(&mut Nothing).unwrap_or_default() {

@@ -18,7 +18,9 @@
 
 use super::super::build::{all, compare, not};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::dead::read_after;
 use super::engine::{End, Fact, Leaf, Tree};
+use super::live::{Live, Places};
 use super::split::each_leaf;
 use super::uses::{Effects, replaced};
 use crate::model::StepId;
@@ -56,7 +58,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
         return begun_behind(program, ways, since);
     }
     moved.over = moved.outlasted(ways);
-    let begun = moved.begins(ways);
+    let begun = moved.begins(program, ways);
     // A step that no cycle begins with and stays in: of the first cycle, and of a step that is left and entered at once.
     let [one, other, ..] = program.regions[0][..] else { return nothing };
     let apart = |from: StepId| Value::Step(Some(if from == one { other } else { one }));
@@ -88,14 +90,12 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
 /// The same of the time alone, in a `grafcet` of which each cycle ends settled.
 fn begun_behind<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>, since: PlaceId) -> Around<'m> {
     let is_begin = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Now) if *place == since);
-    let mut begins = true;
+    let (mut begins, after) = (true, read_after(program));
     for (tree, from) in ways.trees.iter().zip(ways.points) {
         let Some(tree) = tree else { continue };
         each_leaf(tree, &mut |leaf| {
-            let at = leaf.body.iter().position(is_begin);
-            begins &= at.is_some() == (leaf.state != *from);
-            let rest = &leaf.body[at.map_or(leaf.body.len(), |at| at + 1)..];
-            begins &= !Effects::of_all(rest).reads.contains(&since);
+            begins &= leaf.body.iter().any(is_begin) == (leaf.state != *from);
+            begins &= leaf.state == *from || !asks(&after, leaf, since);
         });
     }
     if !begins {
@@ -106,6 +106,13 @@ fn begun_behind<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>, since: P
     }
     let [copy, begins] = where_it_differs(program, ways.state, since);
     [vec![copy], vec![begins]]
+}
+
+/// Whether a way asks for a time, other than for what nobody looks at.
+fn asks(after: &Places, leaf: &Leaf<'_>, since: PlaceId) -> bool {
+    let mut body = leaf.body.clone();
+    Live::after(after).sweep(&mut body);
+    Effects::of_all(&body).reads.contains(&since)
 }
 
 /// A copy of the state in front, and behind the beginning of a time where it differs.
@@ -194,16 +201,16 @@ impl Moved {
         matches!(statement, Statement::Set(place, _) if *place == self.settled || Some(*place) == self.passed)
     }
 
-    /// Whether each way to another state begins the time, and nothing on it asks for it after that; no way that stays does.
-    fn begins(&self, ways: &Ways<'_, '_>) -> bool {
-        let mut begins = true;
+    /// Whether each way to another state begins the time, and no way that stays does. Nothing on the former asks for it: what does so in front of the beginning means how long
+    /// the step was active that is left, and `join` can put it behind.
+    fn begins(&self, program: &Program<'_>, ways: &Ways<'_, '_>) -> bool {
+        let (mut begins, after) = (true, read_after(program));
         for (tree, from) in ways.trees.iter().zip(ways.points) {
             let Some(tree) = tree else { continue };
             each_leaf(tree, &mut |leaf| {
-                let at = leaf.body.iter().position(|one| self.is_begin(one));
-                begins &= at.is_some() == (leaf.state != *from || self.has(leaf, false));
-                let rest = &leaf.body[at.map_or(leaf.body.len(), |at| at + 1)..];
-                begins &= !Effects::of_all(rest).reads.contains(&self.since);
+                let goes = leaf.state != *from || self.has(leaf, false);
+                begins &= leaf.body.iter().any(|one| self.is_begin(one)) == goes;
+                begins &= !goes || !asks(&after, leaf, self.since);
             });
         }
         begins

@@ -269,7 +269,7 @@ fn searches_of_one_region_end_where_they_have_to() {
     let (circle, stays) = (circle(""), circle("on rising(d) n = (n + 1) % 50; on rising(p) n = 9; "));
     for (chart, has) in [
         (circle.as_str(), "now.state = table(now.state)"),
-        (stays.as_str(), "if goes: now.state = table(now.state)"),
+        (stays.as_str(), "if goes: now.state = table(state)"),
         (belt.as_str(), "table("),
         (wash.as_str(), "since"),
         (turns, "evolutions == 6"),

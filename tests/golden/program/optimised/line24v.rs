@@ -25,6 +25,7 @@ impl Line24V {
         let mut evolutions: u32 = 0;
         loop {
             let inputs = core::hint::black_box(inputs);
+            fence_on_armv6m();
             match now_state {
                 __Line24VState::S1 => {
                     if inputs.b1 {

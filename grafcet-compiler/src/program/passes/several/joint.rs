@@ -8,6 +8,7 @@ use super::super::sparse::Index;
 use super::super::split::merged;
 use super::super::uses::{Effects, each_read};
 use super::{Env, Several, weight};
+use crate::list::List;
 use crate::program::build::not;
 use crate::program::{Expr, Statement, Type, Value};
 use crate::sorted::Set;
@@ -102,31 +103,29 @@ impl<'m> Several<'_, 'm> {
 
     /// The condition at a place is asked, and the rest done by what it says.
     fn asked_first(&self, part: Part<'m>, at: usize, env: &Env) -> Vec<Statement<'m>> {
-        let (mut before, mut rest) = (Vec::new(), Vec::new());
         let mut wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;
         let behind = list.split_off(at);
-        for statement in list.into_iter().rev() {
-            let effects = Effects::of(&statement);
-            if effects.writes.is_disjoint(&wanted) && effects.writes.is_disjoint(&Effects::of_all(&before).reads) {
-                rest.push(statement);
-            } else {
+        let mut in_front = vec![false; list.len()];
+        for (index, statement) in list.iter().enumerate().rev() {
+            let effects = Effects::of(statement);
+            if !effects.writes.is_disjoint(&wanted) {
+                in_front[index] = true;
                 wanted.extend(effects.reads.iter().copied());
-                before.push(statement);
             }
         }
-        before.reverse();
-        rest.reverse();
+        let of = |front: bool| {
+            let those = list.iter().zip(&in_front).filter(|(_, is)| **is == front);
+            those.map(|(statement, _)| statement.clone()).list()
+        };
+        let (before, mut rest) = (of(true), of(false));
         // What stays behind must not be what stands in front now.
         let (front, back) = (Effects::of_all(&before), Effects::of_all(&rest));
-        let Some(Statement::Set(place, condition)) = behind.first() else { return before };
-        let mut swaps = front.may_swap(&back);
-        swaps &= Effects::of(&behind[0]).may_swap(&back);
-        if !swaps {
-            before.extend(rest);
-            before.extend(behind);
-            return before;
-        }
+        let swaps = front.may_swap(&back) && behind.first().is_some_and(|one| Effects::of(one).may_swap(&back));
+        let Some(Statement::Set(place, condition)) = behind.first().filter(|_| swaps) else {
+            list.extend(behind);
+            return list;
+        };
         let (place, condition) = (*place, condition.clone());
         rest.extend(behind.into_iter().skip(1));
         let index = Index::whole(self.places.len(), 0, &self.points[0]);
