@@ -87,7 +87,7 @@ impl Subject for Programmed<'_, '_> {
 
     fn init(&mut self) -> Result<(), String> {
         self.machine.init();
-        self.initial = Some(Interpreted::new(self.program.model)?.shown().outputs);
+        self.initial = Interpreted::new(self.program.model).ok().map(|fresh| fresh.shown().outputs);
         Ok(())
     }
 

@@ -59,8 +59,8 @@ fn scan(program: &mut Program<'_>) {
         return;
     };
     let is_by_state = |one: &Statement<'_>| matches!(one, Statement::Match(of, ..) if *of == state);
-    let dispatches = || program.cycle.iter().enumerate().filter(|(_, one)| is_by_state(one)).map(|(at, _)| at);
-    let (Some(first), Some(last)) = (dispatches().next(), dispatches().next_back()) else { return };
+    let (first, last) = (program.cycle.iter().position(is_by_state), program.cycle.iter().rposition(is_by_state));
+    let (Some(first), Some(last)) = (first, last) else { return };
     match program.cycle.iter().position(goes_on_by_table) {
         Some(at) => program.cycle.insert(at, Statement::Fence(Fence::Armv6m)),
         None if first < last => program.cycle.insert(last, Statement::Fence(Fence::Armv6m)),
@@ -87,10 +87,11 @@ fn search(program: &mut Program<'_>, at: usize) {
     }
     let is_inside = steps >= FEW && (!goes_by_table(body) || is_by_kind);
     if is_inside {
-        let is_wide = table.is_none() && steps > SHORT && !is_by_kind;
-        let fence = if is_wide { Fence::Memory } else { Fence::Armv6m };
-        let fences = [Fence::Inputs, fence].map(Statement::Fence);
-        body.splice(..0, fences.into_iter().take(if is_by_kind { 1 } else { 2 }));
+        if !is_by_kind {
+            let is_wide = table.is_none() && steps > SHORT;
+            body.insert(0, Statement::Fence(if is_wide { Fence::Memory } else { Fence::Armv6m }));
+        }
+        body.insert(0, Statement::Fence(Fence::Inputs));
     }
     if steps <= SHORT || table.is_some() {
         program.cycle.insert(at + 1, Statement::Fence(Fence::Memory));

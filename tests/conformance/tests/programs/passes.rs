@@ -126,16 +126,17 @@ fn fences_stand_by_the_shape_of_an_evolution() {
         .replacen("input a, b, d", "input a, b", 1)
         .replace("-[b]-> S2;", "-[a && 5ms/S1]-> S2; S1 -[b && !a]-> S0;");
     for (chart, there, elsewhere) in [
-        (&wash, table, "\n  fence\n"),
-        (&rungs(12), "  fence on ARMv6-M\n  match ", "if goes"),
-        (&rungs(5), "match state", "fence"),
-        (&circle, "    fence on ARMv6-M\n", "if gone"),
-        (&circle, "    fence\n    if goes: now.state = table(state)", "if gone"),
-        (&circle, "  fence\n  match state", "if gone"),
-        (&long, "    fence inputs\n    fence\n", "fence on ARMv6-M"),
+        (&wash, table, Some("\n  fence\n")),
+        (&rungs(12), "  fence on ARMv6-M\n  match ", Some("if goes")),
+        (&rungs(5), "match state", Some("fence")),
+        (&circle, "    fence on ARMv6-M\n", None),
+        (&circle, "    fence\n    if goes: now.state = table(state)", None),
+        (&circle, "  fence\n  match state", None),
+        (&long, "    fence inputs\n    fence\n", Some("fence on ARMv6-M")),
     ] {
         let text = optimised(&read(chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string();
-        assert!(text.contains(there) && !text.contains(elsewhere), "{there}\n{text}");
+        assert!(text.contains(there), "{there}\n{text}");
+        assert!(elsewhere.is_none_or(|elsewhere| !text.contains(elsewhere)), "{elsewhere:?}\n{text}");
     }
 }
 
