@@ -293,23 +293,29 @@ fn touches(statement: &Statement<'_>, field: PlaceId) -> bool {
 
 /// What it holds after the activation of the initial situation, which works on copies; and the copies that are of no use without it.
 fn entered(body: &[Statement<'_>], field: PlaceId, mut value: bool) -> Option<(bool, Vec<PlaceId>)> {
-    // What each copy holds; none where that is still the output's value.
-    let mut copies: Map<PlaceId, Option<bool>> = Map::new();
+    // What each copy holds, and whether it is still what the output held.
+    let mut copies: Map<PlaceId, (bool, bool)> = Map::new();
     for statement in body {
         match statement {
             Statement::Set(place, Expr::Value(Value::Bool(new))) if *place == field => value = *new,
-            Statement::Set(place, Expr::Place(copy)) if *place == field => {
-                value = copies.get(copy)?.unwrap_or(value);
+            Statement::Set(place, Expr::Place(copy)) if *place == field => value = copies.get(copy)?.0,
+            Statement::Set(copy, Expr::Place(place)) if *place == field => _ = copies.insert(*copy, (value, true)),
+            Statement::Set(copy, Expr::Value(Value::Bool(new))) => _ = copies.insert(*copy, (*new, false)),
+            other => {
+                let effects = Effects::of(other);
+                if effects.reads.contains(&field) || effects.writes.contains(&field) {
+                    return None;
+                }
+                // Of these nobody knows what they hold.
+                for place in &*effects.writes {
+                    copies.remove(place);
+                }
             }
-            Statement::Set(copy, Expr::Place(place)) if *place == field => _ = copies.insert(*copy, None),
-            Statement::Set(copy, Expr::Value(Value::Bool(new))) => _ = copies.insert(*copy, Some(*new)),
-            other if touches(other, field) => return None,
-            _ => {}
         }
     }
     let mut left_alone = Vec::new();
-    for (copy, value) in &copies {
-        if value.is_none() {
+    for (copy, (_, is_old)) in &copies {
+        if *is_old {
             left_alone.push(*copy);
         }
     }

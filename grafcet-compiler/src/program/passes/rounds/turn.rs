@@ -26,8 +26,8 @@ pub(super) struct Turn<'t, 'p, 'm> {
     parts: Vec<Part<'m>>,
     /// By part: what is read after it, in this round.
     later: Vec<Set<PlaceId>>,
-    /// By part: what it reads and writes; what is only gathered may be gathered in any order.
-    effects: Vec<Effects>,
+    /// By part: what it does to the others.
+    effects: Vec<Touched>,
     goes: &'t [PlaceId],
     left: Cell<usize>,
 }
@@ -44,7 +44,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         }
         later.pop();
         later.reverse();
-        let effects = parts.iter().map(|part| effects(&part.statements)).collect();
+        let effects = parts.iter().map(|part| Touched::by(&part.statements)).collect();
         Self { several, parts, later, effects, goes, left: Cell::new(ENDS) }
     }
 
@@ -283,20 +283,39 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     }
 }
 
-fn effects(statements: &[Statement<'_>]) -> Effects {
-    let mut all = Effects::default();
-    for statement in statements {
-        let mut one = Effects::of(statement);
-        if let Some(place) = gathers(statement) {
-            one.reads.remove(&place);
-            one.writes.remove(&place);
+/// What a part does to the others: what several only gather they may gather in any order.
+struct Touched {
+    /// All the rest.
+    effects: Effects,
+    gathered: Set<PlaceId>,
+}
+
+impl Touched {
+    fn by(statements: &[Statement<'_>]) -> Self {
+        let (mut effects, mut gathered) = (Effects::default(), Set::new());
+        for statement in statements {
+            let mut one = Effects::of(statement);
+            if let Some(place) = gathers(statement) {
+                one.reads.remove(&place);
+                one.writes.remove(&place);
+                gathered.insert(place);
+            }
+            effects.reads.extend(one.reads.iter().copied());
+            effects.writes.extend(one.writes.iter().copied());
+            effects.outside |= one.outside;
+            effects.leaves |= one.leaves;
         }
-        all.reads.extend(one.reads.iter().copied());
-        all.writes.extend(one.writes.iter().copied());
-        all.outside |= one.outside;
-        all.leaves |= one.leaves;
+        Self { effects, gathered }
     }
-    all
+
+    fn may_swap(&self, other: &Self) -> bool {
+        let is_free = |gathered: &Set<PlaceId>, effects: &Effects| {
+            gathered.is_disjoint(&effects.reads) && gathered.is_disjoint(&effects.writes)
+        };
+        self.effects.may_swap(&other.effects)
+            && is_free(&self.gathered, &other.effects)
+            && is_free(&other.gathered, &self.effects)
+    }
 }
 
 /// What most ends would do, if that is much: one of them, and whether all do it.
