@@ -34,7 +34,6 @@ const SHAPES: &[(&str, Form, Search)] = &[
     ("flags_sfc", Form::Flags, Search::None),
     ("compared_sfc", Form::Compared, Search::None),
     ("in_place_ends", Form::InPlace, Search::Ends),
-    ("in_place_put_back", Form::InPlace, Search::Bounded(Undo::PutBack)),
     ("in_place_copy", Form::InPlace, Search::Bounded(Undo::Copy)),
     ("flags_ends", Form::Flags, Search::Ends),
     ("flags_bounded", Form::Flags, Search::Bounded(Undo::Nothing)),

@@ -140,9 +140,8 @@ impl Cx<'_> {
             let (evolve, probe) = (names::evolve(), self.probe());
             return quote!(#probe if !self.#evolve(inputs) { break; } #afters);
         }
-        let keep = self.plan.shape.takes_back().then(|| self.keep_states().0);
         let (moved, evolve) = (self.declare_moved(), self.evolve());
-        quote!(#declare #moved #keep #evolve #afters #collect if #unchanged { break; })
+        quote!(#declare #moved #evolve #afters #collect if #unchanged { break; })
     }
 
     /// A30: where the bound is reached, whether the search would go on is tried on a copy.
@@ -176,7 +175,6 @@ impl Cx<'_> {
         };
         let put_back = match undo {
             Undo::Copy => return (declare, quote!(evolutions_left -= 1;)),
-            Undo::PutBack => self.keep_states().1,
             Undo::Nothing => self.keep_edges().1,
         };
         let (mark, unsettle) = (self.mark(true), self.unsettle());

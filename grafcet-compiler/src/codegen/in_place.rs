@@ -1,7 +1,7 @@
 //! An evolution of parallel branches that changes the situation in place: a state is read where it is used, and written
 //! where a transition clears. The situation before the evolution is kept only where something looks at it later.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 
 use super::bind::Moment;
 use super::situation::At;
@@ -13,23 +13,6 @@ use crate::plan::{BranchGroup, RegionId};
 use crate::sorted::Set;
 
 impl Cx<'_> {
-    /// Keeps what an evolution in place changes, and puts it back.
-    pub(super) fn keep_states(&self) -> (TokenStream, TokenStream) {
-        let fields = self.changed_in_place();
-        let kept: Vec<_> = fields.iter().map(names::kept).list();
-        (quote!(#(let #kept = self.#fields;)*), quote!(#(self.#fields = #kept;)*))
-    }
-
-    /// The fields that an evolution in place changes where a transition clears.
-    fn changed_in_place(&self) -> Vec<Ident> {
-        let states = (0..self.plan.regions.all().len()).map(|region| names::region_field(region, self.plan));
-        let times = self.counted_regions().filter(|_| self.plan.shape.begins_on_entry);
-        let times = times.flat(|region| self.counters_of(region));
-        let places = self.written_at_once();
-        let places = places.iter().map(|place| names::place_field(self.model, *place));
-        states.and(times).and(places).list()
-    }
-
     /// An `sfc` only wants to know for `next_deadline`.
     pub(super) fn declare_moved(&self) -> Option<TokenStream> {
         if self.model.is_grafcet() {

@@ -145,11 +145,6 @@ pub(super) fn output_reset(model: &Model, output: OutputId) -> Ident {
     prefixed("reset_", &model.outputs[output].name)
 }
 
-/// The local that keeps a field, to put it back.
-pub(super) fn kept(field: &Ident) -> Ident {
-    prefixed("kept_", field)
-}
-
 /// The field that counts the time of a region's active step.
 pub(super) fn step_time(region: RegionId, plan: &Plan<'_>) -> Ident {
     numbered("since", "since", region, plan)

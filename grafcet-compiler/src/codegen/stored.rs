@@ -15,7 +15,7 @@ use crate::model::{
 };
 use crate::place::quote;
 use crate::plan::{Below, is_stored, source_order};
-use crate::sorted::{Set, sort_by_key};
+use crate::sorted::sort_by_key;
 
 /// When an association of a `grafcet` acts.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -157,12 +157,6 @@ impl Cx<'_> {
     /// Whether a stored action acts where a transition clears, and not after the evolution.
     fn acts_at_once(&self, id: AssociationId) -> bool {
         self.plan.shape.at_once.contains(&id)
-    }
-
-    /// The places that such actions write.
-    pub(super) fn written_at_once(&self) -> Set<Place> {
-        let actions = self.model.associations.iter().filter(|(id, _)| self.acts_at_once(*id));
-        actions.flat(|(_, action)| action.effect.writes()).copied().collect()
     }
 
     fn clearing_calls(&self) -> impl Iterator<Item = TransitionId> + '_ {

@@ -28,7 +28,7 @@ pub use stored::{Stored, is_stored};
 
 use crate::analysis::{Facts, Races};
 use crate::model::{Blink, Blinker, Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
-use crate::program::{self, Program, Refused};
+use crate::program::{Program, Refused};
 use crate::sorted::Set;
 
 /// The plan for one chart.
@@ -113,24 +113,17 @@ impl<'m> Plan<'m> {
         let descent = Descent::of(model, &regions, concurrency);
         let may_be_unstable = model.is_grafcet() && may_be_unstable(model, &stored, facts);
         let searches = facts.searches(model);
-        let has_branches = regions.all().len() > 1 && !regions.are_flags();
-        let may_be_program = has_branches && !model.forceable && !may_be_unstable;
-        let lean = if may_be_program { program::lean(model, facts, recorded) } else { None };
-        let shape = Shape::of(
-            model,
-            &shape::Known {
-                regions: &regions,
-                evolution: &evolution,
-                memory: &memory,
-                stored: &stored,
-                descent,
-                groups: groups.is_some(),
-                may_be_unstable,
-                is_lean: lean.is_some(),
-            },
-        );
-        let made = || lean.map_or_else(|| program::optimised(model, facts, recorded), Ok);
-        let program = (shape.form == Form::Program).then(made);
+        let known = shape::Known {
+            regions: &regions,
+            evolution: &evolution,
+            memory: &memory,
+            stored: &stored,
+            descent,
+            groups: groups.is_some(),
+            may_be_unstable,
+            is_lean: false,
+        };
+        let (shape, program) = known.shaped(model, facts, recorded);
         let flags_left_over = left_over::has_flag(
             model,
             &left_over::Known { memory: &memory, evolution: &evolution, drives: &drives, may_be_unstable },

@@ -1,11 +1,13 @@
 //! The shape of an evolution's code, decided once. The code generator matches on it and asks the chart nothing.
 
 use super::{Descent, Evolution, Memory, Regions, Stored};
+use crate::analysis::Facts;
 use crate::model::{AssociationId, Effect, Model, Place, Qualifier};
+use crate::program::{self, Program, Refused};
 use crate::sorted::Set;
 
-/// Up to so many fields, keeping them in each evolution takes less than calling it as a function and once more on a copy; with
-/// more, it takes a tenth more flash and more.
+/// A program keeps what an evolution in place changes, where the bound may take that back. Up to so many fields that takes less than calling the
+/// evolution as a function and once more on a copy.
 const FEW_FIELDS: usize = 3;
 
 /// How an evolution finds the next situation.
@@ -38,11 +40,12 @@ pub enum Search {
 pub enum Undo {
     /// The situation before is at hand anyway.
     Nothing,
-    /// What an evolution changes is little: it is kept, and put back.
-    PutBack,
     /// The evolution is a function, and the last one works on a copy of the chart.
     Copy,
 }
+
+/// A program, where the chart has passed the checks.
+type Made<'m> = Result<Program<'m>, Refused>;
 
 /// What the plan already says when the shape is chosen.
 pub(super) struct Known<'p> {
@@ -56,6 +59,31 @@ pub(super) struct Known<'p> {
     pub(super) may_be_unstable: bool,
     /// The program of parallel branches is not much longer than the chart.
     pub(super) is_lean: bool,
+}
+
+impl Known<'_> {
+    /// The shape of the chart, and its program, where that says what an evolution does.
+    pub(super) fn shaped<'m>(
+        mut self,
+        model: &'m Model,
+        facts: &Facts<'_>,
+        recorded: bool,
+    ) -> (Shape, Option<Made<'m>>) {
+        let mut shape = Shape::of(model, &self);
+        let has_branches = self.regions.all().len() > 1 && !model.forceable;
+        let lean = if has_branches && shape.may_be_program(model, &self) {
+            program::lean(model, facts, recorded)
+        } else {
+            None
+        };
+        if lean.is_some() {
+            self.is_lean = true;
+            shape = Shape::of(model, &self);
+        }
+        let made = || lean.map_or_else(|| program::optimised(model, facts, recorded), Ok);
+        let program = (shape.form == Form::Program).then(made);
+        (shape, program)
+    }
 }
 
 /// The shape of an evolution and what follows from it.
@@ -132,7 +160,6 @@ impl Shape {
         }
         match plan.may_be_unstable {
             true if self.form != Form::InPlace => Search::Bounded(Undo::Nothing),
-            true if self.changed_fields(model, plan) <= FEW_FIELDS => Search::Bounded(Undo::PutBack),
             true => Search::Bounded(Undo::Copy),
             false => Search::Ends,
         }
@@ -161,10 +188,9 @@ impl Shape {
         self.form == Form::InPlace
     }
 
-    /// A search without end takes its last evolution back.
-    #[must_use]
-    pub fn takes_back(&self) -> bool {
-        self.search == Search::Bounded(Undo::PutBack)
+    /// Whether a program could take the place of this shape.
+    pub(super) fn may_be_program(&self, model: &Model, plan: &Known<'_>) -> bool {
+        !self.is_flags() && (!self.evolves_apart() || self.changed_fields(model, plan) <= FEW_FIELDS)
     }
 
     /// The evolution is a function of its own, so that a search without end can try another one on a copy.

@@ -48,21 +48,26 @@ pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool)
     Ok(program)
 }
 
-/// The same of a chart of several regions, if what the passes leave of it is not much longer than the chart itself and each of its searches ends. Where many
-/// transitions synchronise the same branches it is longer, as there is a way for each of their outcomes.
+/// The same of a chart of several regions, if what the passes leave of it is not much longer than the chart itself, or no longer than without
+/// them. Where many transitions synchronise the same branches it is longer, as there is a way for each of their outcomes.
 pub(crate) fn lean<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Option<Program<'m>> {
     if model.steps.len() > FEW_STEPS {
         return None;
     }
     let program = optimised(model, facts, recorded).ok()?;
-    if program.place(Role::Stable).is_some() {
-        return None;
-    }
     let mut written = model.associations.len();
     for transition in model.transitions.values() {
         written += 1 + transition.sources.len() + transition.targets.len();
     }
-    (passes::weight(&program) <= LEAN * written).then_some(program)
+    let weight = passes::weight(&program);
+    (weight <= LEAN * written || weight <= flat_weight(model, facts)?).then_some(program)
+}
+
+/// How many statements the program of a chart of several regions has where nothing is looked up by state.
+fn flat_weight(model: &Model, facts: &Facts<'_>) -> Option<usize> {
+    let mut program = naive(model, facts, Encoding::Regions).ok()?;
+    passes::optimise(&mut program, &passes::Pass::FLAT);
+    Some(passes::weight(&program))
 }
 
 /// What a chart does in one cycle.

@@ -116,3 +116,94 @@ impl Fill {
         outputs
     }
 }
+impl Fill {
+    /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
+    /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.
+    ///
+    /// For commissioning: nothing that the compiler has proved of the chart's ways holds on this one.
+    ///
+    /// # Errors
+    /// The chart is never in exactly these steps; then nothing has happened.
+    #[allow(unused_assignments, unused_mut, unused_variables)]
+    fn force(
+        &mut self,
+        steps: &[FillStep],
+        inputs: &FillInputs,
+    ) -> Result<
+        FillOutputs,
+        ForceError<FillStep>,
+    > {
+        Possible::Listed(b"\x01\n\x14 ")
+            .look(<Self as Chart>::STEPS, steps)?;
+        let mut forced0: Option<__FillRegion0> = Option::None;
+        let mut forced1: Option<__FillRegion1> = Option::None;
+        for step in steps {
+            match *step {
+                FillStep::Wait => {
+                    forced0 = Option::Some(__FillRegion0::Wait);
+                }
+                FillStep::Valve => {
+                    forced0 = Option::Some(__FillRegion0::Valve);
+                }
+                FillStep::Open => {
+                    forced0 = Option::Some(__FillRegion0::Open);
+                }
+                FillStep::Pump => {
+                    forced1 = Option::Some(__FillRegion1::Pump);
+                }
+                FillStep::Running => {
+                    forced1 = Option::Some(__FillRegion1::Running);
+                }
+                FillStep::Stopped => {
+                    forced0 = Option::Some(__FillRegion0::Stopped);
+                }
+            }
+        }
+        let forced0 = match forced0 {
+            Option::Some(state) => state,
+            Option::None => {
+                return Result::Err(
+                    ForceError::NoSituation,
+                );
+            }
+        };
+        let forced1 = match forced1 {
+            Option::Some(state) => state,
+            Option::None => __FillRegion1::NONE,
+        };
+        Result::Ok({
+            let mut outputs = FillOutputs {
+                valve: false,
+                pump: false,
+            };
+            self.region_0 = self.region_0.unmarked();
+            {
+                let before_0 = self.region_0.state();
+                let before_1 = self.region_1;
+                let after_0 = forced0;
+                let after_1 = forced1;
+                self.region_0 = __FillRegion0Mark::of(after_0);
+                self.region_1 = after_1;
+            }
+            {
+                let before_0 = self.region_0.state();
+                let before_1 = self.region_1;
+            }
+            let after_0 = self.region_0.state();
+            let after_1 = self.region_1;
+            match after_0 {
+                __FillRegion0::Valve => {
+                    outputs.valve = true;
+                }
+                _ => {}
+            }
+            match after_1 {
+                __FillRegion1::Pump => {
+                    outputs.pump = true;
+                }
+                _ => {}
+            }
+            outputs
+        })
+    }
+}

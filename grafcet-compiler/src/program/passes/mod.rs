@@ -154,6 +154,10 @@ impl Pass {
         Self::Fences,
     ];
 
+    /// Those that look nothing up by state.
+    pub(crate) const FLAT: [Self; 6] =
+        [Self::Marks, Self::Decompose, Self::Outputs, Self::Hoist, Self::Forward, Self::Dead];
+
     /// Whether it takes for granted that a state is entered by the ways of the chart's own cycle alone.
     fn follows_cycles(self) -> bool {
         matches!(

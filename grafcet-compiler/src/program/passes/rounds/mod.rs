@@ -22,6 +22,7 @@
 //! the situation; what moves a region can stand
 //! together (`parts`).
 
+mod behind;
 mod owners;
 mod turn;
 
@@ -36,7 +37,10 @@ use super::search::opened;
 use super::several::{Env, Several};
 use super::uses::{Effects, same};
 
-use turn::Turn;
+use turn::{Free, Turn};
+
+/// For each region so many truths tell at most what is done behind the ways of others.
+const GOES: usize = 3;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.beside.is_empty() {
@@ -61,8 +65,7 @@ struct Cycle<'m> {
     /// What leaves the loop, and what is done otherwise.
     end: Vec<Statement<'m>>,
     behind: Vec<Statement<'m>>,
-    /// Free for the shape of a round.
-    goes: Vec<PlaceId>,
+    free: Free,
 }
 
 impl<'m> Cycle<'m> {
@@ -121,8 +124,8 @@ impl<'m> Cycle<'m> {
         // No region has moved where the loop was left.
         let rest = copies.iter().map(|(was, state)| Statement::Set(*was, Expr::Place(*state)));
         behind.splice(0..0, rest);
-        let goes = (0..states.len()).map(|_| local(places, "goes")).collect();
-        Some(Self { before, rounds, turn, end, behind, goes })
+        let goes = (0..GOES * states.len()).map(|_| local(places, "goes")).collect();
+        Some(Self { before, rounds, turn, end, behind, free: Free { moves, goes } })
     }
 
     fn cycle(&self, program: &Program<'m>) -> Option<Vec<Statement<'m>>> {
@@ -149,9 +152,9 @@ impl<'m> Cycle<'m> {
             let behind = last.spec(&self.behind, &env);
             let mut several = Several::over(program, self.read_after_turn(&last.read_after, &behind))?;
             several.full.clone_from(&full);
-            let ties = Turn::of(&several, &self.turn, &self.goes).ties(&env, &begin);
+            let ties = Turn::of(&several, &self.turn, &self.free).ties(&env, &begin);
             several.ties = ties;
-            let turn = Turn::of(&several, &self.turn, &self.goes).statements(&env)?;
+            let turn = Turn::of(&several, &self.turn, &self.free).statements(&env)?;
             let mut again = false;
             for (full, state) in full.iter_mut().zip(&last.states) {
                 if *full && empties(&turn, *state) {

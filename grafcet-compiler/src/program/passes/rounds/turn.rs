@@ -6,20 +6,26 @@ use std::cell::Cell;
 use super::super::engine::{End, Fact, Tree};
 use super::super::parts::{Part, cut, gathers};
 use super::super::search::settle;
-use super::super::several::{Env, Several, Tie, weight};
+use super::super::several::{Env, Several, Tie};
 use super::super::split::merged;
-use super::super::uses::{Effects, is_pure, same_block};
+use super::super::uses::{Effects, is_pure, same_block, unset};
+use super::behind::{Behind, Unit};
 use super::owners::owners;
 use crate::model::StepId;
-use crate::program::build::{no, yes};
-use crate::program::{Expr, PlaceId, Statement, Value};
+use crate::program::build::no;
+use crate::program::{PlaceId, Statement, Value};
 use crate::sorted::Set;
 
 /// More ends of ways than this are too many.
 const ENDS: usize = 500;
 
-/// In statements: what is more is not done at the end of several ways.
-const FEW: usize = 8;
+/// Places that a round uses.
+pub(super) struct Free {
+    /// Whether something has moved.
+    pub(super) moves: PlaceId,
+    /// Of no use yet.
+    pub(super) goes: Vec<PlaceId>,
+}
 
 pub(super) struct Turn<'t, 'p, 'm> {
     several: &'t Several<'p, 'm>,
@@ -28,12 +34,13 @@ pub(super) struct Turn<'t, 'p, 'm> {
     later: Vec<Set<PlaceId>>,
     /// By part: what it does to the others.
     effects: Vec<Touched>,
-    goes: &'t [PlaceId],
+    free: &'t Free,
+    behind: Behind<'t>,
     left: Cell<usize>,
 }
 
 impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
-    pub(super) fn of(several: &'t Several<'p, 'm>, list: &[Statement<'m>], goes: &'t [PlaceId]) -> Self {
+    pub(super) fn of(several: &'t Several<'p, 'm>, list: &[Statement<'m>], free: &'t Free) -> Self {
         let (regions, keys) = owners(several.places, list, &several.states);
         let parts = cut(several.places, list.to_vec(), &regions, &keys);
         let mut later = vec![Set::new()];
@@ -45,7 +52,8 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         later.pop();
         later.reverse();
         let effects = parts.iter().map(|part| Touched::by(&part.statements)).collect();
-        Self { several, parts, later, effects, goes, left: Cell::new(ENDS) }
+        let behind = Behind::of(free);
+        Self { several, parts, later, effects, free, behind, left: Cell::new(ENDS) }
     }
 
     /// What a state tells of what stands below it, whatever it was before: after a round, and so before the next one.
@@ -87,11 +95,15 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
             }
         }
         let all: Vec<usize> = (0..self.parts.len()).collect();
-        self.from(&all, env.clone())
+        let mut statements = Vec::new();
+        for unit in self.from(&all, env.clone())? {
+            statements.extend(unit.statements);
+        }
+        Some(statements)
     }
 
     /// Some parts, in their order.
-    fn from(&self, parts: &[usize], mut env: Env) -> Option<Vec<Statement<'m>>> {
+    fn from(&self, parts: &[usize], mut env: Env) -> Option<Vec<Unit<'m>>> {
         let mut done = Vec::new();
         let mut left = parts.to_vec();
         left.reverse();
@@ -105,8 +117,8 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                 let state = self.several.states[*region];
                 let given = self.several.folded(&part.statements, &env).1[state.0];
                 if !matches!(given, Fact::Is(_)) || matches!(env.facts[state.0], Fact::Is(_)) {
-                    if let Some(nested) = self.nested((at, &below), *region, &env) {
-                        done.extend(nested);
+                    if let Some(statements) = self.nested((at, &below), *region, &env) {
+                        done.push(Unit { at, statements });
                         for part in [at].iter().chain(&below) {
                             self.after(&self.parts[*part].statements, &mut env);
                         }
@@ -116,7 +128,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                     }
                 }
             }
-            done.extend(self.part(part, &env)?);
+            done.push(Unit { at, statements: self.part(part, &env)? });
             self.after(&part.statements, &mut env);
         }
         Some(done)
@@ -220,23 +232,20 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         for (value, tree) in &mut ways {
             settle(tree, state, *value);
         }
-        let mut all = Vec::new();
-        let behind = most(&ends);
-        let mut number = 0;
-        let goes = self.goes.get(region).copied().filter(|_| behind.is_some_and(|(_, all)| !all));
+        let behind = self.behind.share(region, &mut ends);
+        let mut rest = ends.into_iter();
         for (_, tree) in &mut ways {
             tree.each_leaf_mut(&mut |leaf| {
-                let rest = &ends[number];
-                number += 1;
-                match (behind, goes) {
-                    (Some((chosen, _)), goes) if same_block(rest, &ends[chosen]) => {
-                        leaf.body.extend(goes.map(|goes| Statement::Set(goes, yes())));
+                let has_moved = leaf.facts[self.free.moves.0] == Fact::Is(Value::Bool(true));
+                for mut unit in rest.next().into_iter().flatten() {
+                    if has_moved {
+                        unset(&mut unit.statements, self.free.moves);
                     }
-                    _ => leaf.body.extend(rest.iter().cloned()),
+                    leaf.body.extend(unit.statements);
                 }
             });
         }
-        all.extend(goes.map(|goes| Statement::Set(goes, no())));
+        let mut all: Vec<_> = behind.goes.iter().map(|goes| Statement::Set(*goes, no())).collect();
         if let [(_, _)] = ways[..] {
             all.extend(ways.pop()?.1.statements());
         } else {
@@ -249,13 +258,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
             }
             all.push(Statement::Match(state, merged(arms), Vec::new()));
         }
-        if let Some((chosen, _)) = behind {
-            let rest = ends[chosen].clone();
-            match goes {
-                Some(goes) => all.push(Statement::If(Expr::Place(goes), rest, Vec::new())),
-                None => all.extend(rest),
-            }
-        }
+        all.extend(behind.statements);
         Some(whole(tidy(all), state, states.len()))
     }
 
@@ -265,12 +268,14 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         below: &[usize],
         tree: &Tree<'m>,
         lists: &[Vec<Option<StepId>>],
-        ends: &mut Vec<Vec<Statement<'m>>>,
+        ends: &mut Vec<Vec<Unit<'m>>>,
     ) -> Option<()> {
         match &tree.end {
             End::Leaf(leaf) => {
                 self.left.set(self.left.get().checked_sub(1)?);
-                let env = Env { facts: leaf.facts.clone(), lists: lists.to_vec(), later: Set::new() };
+                let mut env = Env { facts: leaf.facts.clone(), lists: lists.to_vec(), later: Set::new() };
+                // By what else is known ends would differ that do the same.
+                env.facts[self.free.moves.0] = Fact::Nothing;
                 ends.push(self.from(below, env)?);
             }
             End::Fork(_, ways) => {
@@ -316,22 +321,6 @@ impl Touched {
             && is_free(&self.gathered, &other.effects)
             && is_free(&other.gathered, &self.effects)
     }
-}
-
-/// What most ends would do, if that is much: one of them, and whether all do it.
-fn most(ends: &[Vec<Statement<'_>>]) -> Option<(usize, bool)> {
-    let mut best: Option<(usize, usize, usize)> = None;
-    for (at, end) in ends.iter().enumerate() {
-        let weight = weight(end);
-        let count = ends.iter().filter(|other| same_block(other, end)).count();
-        if count > 1
-            && (weight > FEW || count == ends.len() && weight > 0)
-            && best.is_none_or(|(_, most, _)| count * weight > most)
-        {
-            best = Some((at, count * weight, count));
-        }
-    }
-    best.map(|(at, _, count)| (at, count == ends.len()))
 }
 
 /// The regions whose states it writes.
