@@ -12,38 +12,60 @@
 
 use super::super::build::{all, any, no, not, yes};
 use super::super::{Expr, Program, Statement, Value};
-use super::uses::{is_pure, same};
+use super::uses::{blocks, is_pure, same};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
-    block(&mut cycle, &mut Vec::new());
+    block(&mut cycle, &mut Way::default());
     program.cycle = cycle;
 }
 
-/// Conditions of inputs alone, and whether each holds on this way.
+/// So many conditions are tried to be taken apart within one that is: each has what stands behind it looked at twice more.
+const TRIES: usize = 64;
+
+/// Conditions of inputs alone, and whether each holds.
 type Told<'m> = Vec<(Expr<'m>, bool)>;
 
-fn block<'m>(statements: &mut Vec<Statement<'m>>, told: &mut Told<'m>) {
+/// What is known on a way.
+#[derive(Default)]
+struct Way<'m> {
+    told: Told<'m>,
+    /// In how many conditions that are tried to be taken apart this one lies, and how many more may be tried.
+    depth: usize,
+    tries: usize,
+}
+
+impl Way<'_> {
+    fn may_try(&mut self) -> bool {
+        if self.depth == 0 {
+            self.tries = TRIES;
+        }
+        self.tries = self.tries.saturating_sub(1);
+        self.tries > 0
+    }
+}
+
+fn block<'m>(statements: &mut Vec<Statement<'m>>, way: &mut Way<'m>) {
     let mut new = Vec::with_capacity(statements.len());
     for statement in statements.drain(..) {
         match statement {
-            Statement::If(condition, then, otherwise) => branches(&condition, then, otherwise, told, &mut new),
+            Statement::If(condition, then, otherwise) => branches(&condition, then, otherwise, way, &mut new),
             Statement::Part(name, mut body) => {
-                block(&mut body, told);
+                block(&mut body, way);
                 new.push(Statement::Part(name, body));
             }
             Statement::Loop { rounds, mut body } => {
-                block(&mut body, told);
+                block(&mut body, way);
                 new.push(Statement::Loop { rounds, body });
             }
             Statement::Match(place, mut arms, mut otherwise) => {
                 for (_, body) in &mut arms {
-                    block(body, told);
+                    block(body, way);
                 }
-                block(&mut otherwise, told);
+                block(&mut otherwise, way);
                 new.push(Statement::Match(place, arms, otherwise));
             }
-            Statement::Set(place, value) => new.push(Statement::Set(place, known(&value, told))),
+            Statement::Set(place, value) => new.push(Statement::Set(place, known(&value, &way.told))),
             other => new.push(other),
         }
     }
@@ -54,43 +76,76 @@ fn branches<'m>(
     condition: &Expr<'m>,
     mut then: Vec<Statement<'m>>,
     otherwise: Vec<Statement<'m>>,
-    told: &mut Told<'m>,
+    way: &mut Way<'m>,
     new: &mut Vec<Statement<'m>>,
 ) {
-    let condition = known(condition, told);
+    let condition = known(condition, &way.told);
     if let Expr::Value(Value::Bool(holds)) = condition {
         let mut body = if holds { then } else { otherwise };
-        block(&mut body, told);
+        block(&mut body, way);
         new.append(&mut body);
         return;
     }
-    under(&mut then, &condition, true, told);
-    if let Some((first, rest)) = first(&condition) {
-        let (mut with, mut without, mut plain) = (otherwise.clone(), otherwise.clone(), otherwise.clone());
-        under(&mut plain, &condition, false, told);
-        let before = told.len();
-        learn(&first, true, told);
-        under(&mut with, &rest, false, told);
-        told.truncate(before);
-        under(&mut without, &first, false, told);
-        if differs(&with, &plain) && differs(&without, &plain) && size(&with) + size(&without) <= size(&plain) {
-            new.push(Statement::If(first, vec![Statement::If(rest, then, with)], without));
-            return;
-        }
+    under(&mut then, &condition, true, way);
+    let mut plain = otherwise.clone();
+    under(&mut plain, &condition, false, way);
+    let Some((first, rest)) = first(&condition).filter(|(first, _)| is_asked(&otherwise, first) && way.may_try())
+    else {
         new.push(Statement::If(condition, then, plain));
         return;
+    };
+    let (mut with, mut without) = (otherwise.clone(), otherwise);
+    way.depth += 1;
+    let before = way.told.len();
+    learn(&first, true, &mut way.told);
+    under(&mut with, &rest, false, way);
+    way.told.truncate(before);
+    under(&mut without, &first, false, way);
+    way.depth -= 1;
+    if differs(&with, &plain) && differs(&without, &plain) && size(&with) + size(&without) <= size(&plain) {
+        new.push(Statement::If(first, vec![Statement::If(rest, then, with)], without));
+    } else {
+        new.push(Statement::If(condition, then, plain));
     }
-    let mut otherwise = otherwise;
-    under(&mut otherwise, &condition, false, told);
-    new.push(Statement::If(condition, then, otherwise));
 }
 
 /// A body where a condition has been found to hold, or not.
-fn under<'m>(body: &mut Vec<Statement<'m>>, condition: &Expr<'m>, holds: bool, told: &mut Told<'m>) {
-    let before = told.len();
-    learn(condition, holds, told);
-    block(body, told);
-    told.truncate(before);
+fn under<'m>(body: &mut Vec<Statement<'m>>, condition: &Expr<'m>, holds: bool, way: &mut Way<'m>) {
+    let before = way.told.len();
+    learn(condition, holds, &mut way.told);
+    block(body, way);
+    way.told.truncate(before);
+}
+
+/// Whether something is asked that a condition tells, holds it or not.
+fn is_asked(statements: &[Statement<'_>], condition: &Expr<'_>) -> bool {
+    let mut told = Vec::new();
+    learn(condition, true, &mut told);
+    learn(condition, false, &mut told);
+    let mut found = false;
+    each_asked(statements, &mut |asked| found |= told.iter().any(|(one, _)| has(asked, one)));
+    found
+}
+
+/// Whether it is part of an expression.
+fn has(expr: &Expr<'_>, part: &Expr<'_>) -> bool {
+    same(expr, part)
+        || match expr {
+            Expr::Not(inner) => has(inner, part),
+            Expr::All(parts) | Expr::Any(parts) => parts.iter().any(|one| has(one, part)),
+            _ => false,
+        }
+}
+
+fn each_asked<'m>(statements: &[Statement<'m>], each: &mut dyn FnMut(&Expr<'m>)) {
+    for statement in statements {
+        if let Statement::If(asked, ..) | Statement::Set(_, asked) = statement {
+            each(asked);
+        }
+        for block in blocks(statement) {
+            each_asked(block, each);
+        }
+    }
 }
 
 fn learn<'m>(condition: &Expr<'m>, holds: bool, told: &mut Told<'m>) {

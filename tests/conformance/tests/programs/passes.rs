@@ -408,6 +408,27 @@ fn a_long_chart_takes_time_by_its_length() {
     assert!(whole < 12.0 * quarter, "250 steps take {quarter:.3} s, 1,000 steps {whole:.3} s");
 }
 
+/// Each condition of a selection that is taken apart has all behind it looked at once more, and so has each of those: of thirty branches no build would see the end.
+#[test]
+fn long_selections_are_not_taken_apart_again_and_again() {
+    let selection = |priority: bool| {
+        let (mut inputs, mut branches) = (String::new(), String::new());
+        for branch in 0..30 {
+            let before: String = (0..branch).filter(|_| priority).map(|other| format!(" && !key{other}")).collect();
+            _ = write!(inputs, "key{branch}, ready{branch}, ");
+            _ = write!(branches, "step B{branch}; A -[key{branch} && ready{branch}{before}]-> B{branch} -[done]-> A; ");
+        }
+        format!("sfc Keys {{ input {inputs} done: bool; initial step A; {branches} }}")
+    };
+    for chart in [selection(false), selection(true)] {
+        let model = read(&chart);
+        let start = Instant::now();
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        assert!(!program.cycle.is_empty());
+        assert!(start.elapsed().as_secs() < 30, "it took {:?}", start.elapsed());
+    }
+}
+
 /// All passes, and all but one, do at a timeline what the interpreter does; asleep at its first lines.
 pub(super) fn each_left_out(model: &Model, text: &str, asleep: usize) {
     let lines = reader::read(text).expect("a timeline").lines;

@@ -73,7 +73,7 @@ impl<'t> Behind<'t> {
                 break groups;
             }
         };
-        self.take(region, groups, ends)
+        self.take(region, &groups, ends)
     }
 
     fn is_worth(&self, region: usize, group: &[Chosen], ends: usize) -> bool {
@@ -92,10 +92,10 @@ impl<'t> Behind<'t> {
         Some(place)
     }
 
-    fn take<'m>(&self, region: usize, groups: Vec<Vec<Chosen>>, ends: &mut [Vec<Unit<'m>>]) -> Shared<'m> {
+    fn take<'m>(&self, region: usize, groups: &[Vec<Chosen>], ends: &mut [Vec<Unit<'m>>]) -> Shared<'m> {
         let mut all: Vec<(usize, Option<PlaceId>, Vec<Statement<'m>>)> = Vec::new();
         let mut goes = Vec::new();
-        for group in &groups {
+        for group in groups {
             let Some(first) = group.first() else { continue };
             let place = (first.ends.len() < ends.len()).then(|| self.place(region, first.at)).flatten();
             goes.extend(place);
@@ -118,7 +118,7 @@ impl<'t> Behind<'t> {
             match (place, statements.last_mut()) {
                 (None, _) => statements.extend(block),
                 (Some(place), Some(Statement::If(Expr::Place(other), then, _))) if *other == place => {
-                    then.extend(block)
+                    then.extend(block);
                 }
                 (Some(place), _) => statements.push(Statement::If(Expr::Place(place), block, Vec::new())),
             }
