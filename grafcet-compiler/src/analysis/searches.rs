@@ -27,9 +27,7 @@ impl Searches {
             return Self { bound, ..Self::default() };
         }
         let stability = Stability::of(model, concurrency);
-        // Where each transition clears at most once, the chart gives the search long enough.
-        let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
-        let open = !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound));
+        let open = !are_ended(model, &stability);
         Self {
             // Who forces a chart can bring situations and values together that no exploration has seen.
             may_go_on: open && (model.forceable || !explore::settles(model, WORK)),
@@ -38,6 +36,17 @@ impl Searches {
             bound,
         }
     }
+}
+
+/// Whether the circles of a chart tell that each of its searches ends before its bound.
+pub(crate) fn all_end(model: &Model) -> bool {
+    !model.is_grafcet() || are_ended(model, &Stability::of(model, &Concurrency::of(model)))
+}
+
+fn are_ended(model: &Model, stability: &Stability) -> bool {
+    // Where each transition clears at most once, the chart gives the search long enough.
+    let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
+    stability.is_certain() && model.max_evolutions.is_none_or(is_long)
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

@@ -5,6 +5,7 @@ mod judged;
 
 mod future;
 mod home;
+mod stopped;
 mod undecided;
 
 use judged::{diagnostics, said};

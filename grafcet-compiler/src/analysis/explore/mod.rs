@@ -37,6 +37,7 @@ use self::search::whole::{Budget, Detail, explore_whole};
 use self::search::{Search, settles as stability};
 use self::verdicts::Report;
 use self::verdicts::future::Future;
+use super::searches::all_end;
 use super::{Concurrency, Nesting};
 use crate::list::{List, PushAll};
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
@@ -61,6 +62,8 @@ pub struct Exploration {
     /// Per watched expression whether it can hold.
     watched: Vec<Answer>,
     settles: bool,
+    /// No search for stability is stopped by its bound.
+    end: bool,
     /// Some search for stability was stopped by its bound.
     turns: bool,
     limit: u64,
@@ -90,23 +93,27 @@ impl Exploration {
         let nesting = Nesting::of(model).filter(|nesting| nesting.situations() > limit && watched.is_empty());
         let is_told = nesting.is_some_and(|nesting| nesting.tells_all(assumed_never));
         let mut budget = Budget { limit: if limits.only_ways || is_told { 0 } else { limit }, work: 0 };
-        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, Detail::Rough);
+        let end = || all_end(model);
+        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, Detail::Rough, &end);
         // In a `grafcet` a search for stability that does not come to an end stops wherever its bound lies.
         let approximate = net.approximate || net.grafcet && sooner.is_some();
         let mut watched = answers(&net, sooner.as_ref(), &whole);
         if !net.clocks.is_empty() && watched.iter().any(|answer| *answer != Answer::Never) {
             // Times that fall back may be what makes it possible.
             let mut budget = Budget { limit, work: 0 };
-            let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut Seen::nothing(&net), Detail::Timed);
+            let (whole, sooner) =
+                explore_whole(&net, several, &mut budget, &mut Seen::nothing(&net), Detail::Timed, &end);
             watched = answers(&net, sooner.as_ref(), &whole);
         }
+        let settles = sooner.is_none() && stability::settled(&net, &whole);
+        let end = settles || end();
         let mut covered = vec![whole.complete; net.units];
         let structure = (!whole.complete).then(|| Concurrency::assuming(model, assumed_never).across_partials(model));
         net.structure = structure;
         let mut pieces = Vec::new();
         if !whole.complete && several {
             for unit in (0..net.units).filter(|unit| net.has_arcs[*unit]) {
-                let search = Search::new(&net, Some(unit), true, budget.left(), &mut seen);
+                let search = Search::new(&net, Some(unit), end, budget.left(), &mut seen).cut_anywhere(!end);
                 let graph = budget.run(search);
                 covered[unit] = graph.complete;
                 pieces.push(graph);
@@ -116,7 +123,8 @@ impl Exploration {
             (!whole.complete && !is_told).then(|| some_ways::go(&net, limits.work / 3 + length(&net), &mut seen));
         let mut exploration = Self {
             turns: whole.unstable || sooner.as_ref().is_some_and(|graph| graph.unstable),
-            settles: sooner.is_none() && stability::settled(&net, &whole),
+            settles,
+            end,
             sources: model.transitions.values().map(|transition| transition.sources.clone()).list(),
             unsafe_steps: Map::new(),
             deadlocks: Vec::new(),

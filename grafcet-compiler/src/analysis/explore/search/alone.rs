@@ -10,6 +10,7 @@ use crate::analysis::explore::limits::several;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::slice::Slice;
 use crate::analysis::explore::verdicts::home::{self, Stay};
+use crate::analysis::searches::all_end;
 use crate::model::{Model, StepId, Tree};
 
 /// Whether a situation can be reached from which there is no way to `home`, where only what decides about that is looked at;
@@ -76,6 +77,7 @@ impl Question<'_> {
 
     fn explore(&self, net: &Net, detail: Detail) -> (Graph, Option<Graph>) {
         let mut budget = Budget { limit: limit(net, self.limits), work: 0 };
-        explore_whole(net, several(net) && detail == Detail::Rough, &mut budget, &mut Seen::nothing(net), detail)
+        let (is_several, end) = (several(net) && detail == Detail::Rough, || all_end(self.model));
+        explore_whole(net, is_several, &mut budget, &mut Seen::nothing(net), detail, &end)
     }
 }

@@ -40,6 +40,8 @@ pub(crate) struct Search<'n, 's> {
     commanded: bool,
     /// An order can hold the piece in the middle of a search.
     held: bool,
+    /// See [`Search::cut_anywhere`].
+    cut: bool,
     /// See [`Search::thoroughly`].
     pub(crate) thorough: bool,
     /// See [`Search::with_time`].
@@ -61,10 +63,17 @@ impl<'n, 's> Search<'n, 's> {
             lazy,
             commanded: false,
             held: false,
+            cut: false,
             thorough: false,
             timed: false,
             settles: false,
         }
+    }
+
+    /// A search of the chart may be stopped in the middle of what the piece does.
+    pub(crate) fn cut_anywhere(mut self, may_be: bool) -> Self {
+        self.cut = may_be;
+        self
     }
 
     /// Until a search for stability is stopped by its bound.
@@ -125,6 +134,7 @@ impl<'n, 's> Search<'n, 's> {
             self.root(true, net.initial.clone());
             return;
         };
+        self.held = self.cut;
         let own = |steps: &[StepId]| -> Vec<StepId> {
             steps.iter().filter(|step| net.unit_of[**step] == unit).copied().list()
         };
@@ -138,7 +148,7 @@ impl<'n, 's> Search<'n, 's> {
             return;
         };
         self.commanded = part.enclosed_by.is_some() || !part.orders.is_empty();
-        self.held = part.orders.iter().any(|(_, order)| matches!(order, Order::Hold));
+        self.held |= part.orders.iter().any(|(_, order)| matches!(order, Order::Hold));
         let orders = part.orders.iter().filter_map(|(_, order)| match order {
             Order::To(steps) => Some(own(steps)),
             Order::Hold => None,

@@ -4,6 +4,7 @@ use super::Search;
 use super::graph::{Graph, Seen};
 use super::whole::{Budget, Detail, explore_whole};
 use crate::analysis::explore::net::{Net, Order};
+use crate::analysis::searches::all_end;
 use crate::list::List;
 use crate::model::{Model, StepId};
 use crate::sorted::Set;
@@ -25,7 +26,8 @@ pub(crate) fn situations(model: &Model, wanted: Wanted) -> Option<Set<Vec<StepId
     let net = Net::of(model, &[], &[]);
     if !wanted.by_hand {
         let mut budget = Budget { limit: wanted.work, work: 0 };
-        let (graph, sooner) = explore_whole(&net, false, &mut budget, &mut Seen::nothing(&net), Detail::Rough);
+        let (graph, sooner) =
+            explore_whole(&net, false, &mut budget, &mut Seen::nothing(&net), Detail::Rough, &|| all_end(model));
         if !graph.unstable && sooner.is_none_or(|graph| !graph.unstable) {
             let found = graph.complete.then(|| ends(&graph))?;
             return (found.len() <= wanted.most).then_some(found);

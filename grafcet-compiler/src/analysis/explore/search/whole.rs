@@ -36,13 +36,15 @@ pub(crate) enum Detail {
 /// The whole chart, as far as the budget suffices; and the graph of a first attempt that was given up.
 ///
 /// First everything is tried in all combinations, which gives the shortest ways, then not what has nothing to do with
-/// each other.
+/// each other; in a `grafcet` only where its searches are known to `end`: one that is stopped by its bound shows a situation
+/// that not every order comes through.
 pub(crate) fn explore_whole(
     net: &Net,
     several: bool,
     budget: &mut Budget,
     seen: &mut Seen,
     detail: Detail,
+    end: &dyn Fn() -> bool,
 ) -> (Graph, Option<Graph>) {
     let share = if several { budget.limit / 3 } else { budget.limit };
     // What waits may rely on values that nobody can choose, or on a time that does not stand still.
@@ -63,6 +65,9 @@ pub(crate) fn explore_whole(
     let graph = run(false, if lazy { share / 3 } else { share });
     if graph.complete || !lazy {
         return (graph, None);
+    }
+    if net.grafcet && !end() {
+        return (run(false, share), None);
     }
     (run(true, share), Some(graph))
 }

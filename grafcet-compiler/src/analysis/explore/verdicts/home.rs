@@ -55,7 +55,7 @@ impl Exploration {
 
     fn explored_thoroughly(&self) -> Graph {
         let mut budget = Budget { limit: self.limit, work: 0 };
-        explore_whole(&self.net, false, &mut budget, &mut Seen::nothing(&self.net), Detail::Thorough).0
+        explore_whole(&self.net, false, &mut budget, &mut Seen::nothing(&self.net), Detail::Thorough, &|| self.end).0
     }
 }
 
