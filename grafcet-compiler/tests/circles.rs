@@ -157,6 +157,12 @@ fn loops_of_one_step() {
 }
 
 #[test]
+fn what_goes_on_without_a_transition_is_no_circle() {
+    let ring = "A -[a]-> B -[rising(b)]-> C; C -[rising(b) || 400ms/A]-> K; K -[c]-> A; A -[f(d)]-> A; C -[else]-> C;";
+    possible(&format!("{AB} {ring}"), &[]);
+}
+
+#[test]
 fn parallel_branches() {
     certain(&format!("{AB} A -[a]-> (B, C); (B, C) -[a]-> A;"), "A B C");
     certain(&format!("{AB} A -[a]-> (B, C); B -[a]-> K; (K, C) -[a]-> A;"), "A B C K");

@@ -124,7 +124,8 @@ impl<'m> Circles<'m> {
             let mut run = Run::new(self, self.entry(id));
             while let Some(outcome) = run.next() {
                 let Outcome::Endless(transitions, goals) = outcome else { continue };
-                if !seen.insert(set(&transitions)) {
+                // Without a transition it is no circle of the chart, as in `certain`.
+                if transitions.is_empty() || !seen.insert(set(&transitions)) {
                     continue;
                 }
                 let given = self.cleared(id).split_off(1);
