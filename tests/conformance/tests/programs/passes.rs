@@ -1,7 +1,9 @@
 //! Passes, each on small charts of its own: what a person reads, and at inputs that reach what the pass has made.
 
 use std::fmt::Write as _;
+use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 use std::time::Instant;
 
 use grafcet_compiler::analysis::Facts;
@@ -374,6 +376,15 @@ fn what_cannot_be_left_stays() {
     each_left_out(&model, &text, 6);
 }
 
+/// What this thread has had of a processor: what else the machine does counts for the clock on the wall, and not here. Where the system does not tell, that
+/// clock.
+fn processor_seconds() -> f64 {
+    static BEGIN: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| BEGIN.elapsed().as_secs_f64(), |nanoseconds| nanoseconds / 1e9)
+}
+
 /// Each state is looked at with what concerns it, and not with all statements: four times the steps take about four times as long,
 /// and not sixteen times.
 #[test]
@@ -395,9 +406,9 @@ fn a_long_chart_takes_time_by_its_length() {
         let mut best = f64::INFINITY;
         for _ in 0..5 {
             let mut program = naive(&model, &facts, Encoding::Regions).expect("a program");
-            let start = Instant::now();
+            let start = processor_seconds();
             optimise(&mut program, &Pass::ALL);
-            best = best.min(start.elapsed().as_secs_f64());
+            best = best.min(processor_seconds() - start);
             let is_match = |statement: &&Statement<'_>| matches!(statement, Statement::Match(..));
             assert_eq!(program.cycle.iter().filter(is_match).count(), 2, "it is no match");
         }
