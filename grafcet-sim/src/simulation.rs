@@ -195,7 +195,7 @@ impl<'c> Simulation<'c> {
             None => self.machine.cycle_in(&world, &self.inputs, now)?,
         };
         let evolutions =
-            done.seen.iter().filter(|seen| took_place(seen)).map(|seen| evolution(seen, model, self.names()));
+            done.done().iter().filter(|one| did_something(one)).map(|one| evolution(one, model, self.names()));
         let evolutions: Vec<Evolution> = evolutions.collect();
         let ran = done.ran.iter().filter_map(|id| ran(&model.associations[*id], model)).collect();
         let cycle = Cycle {
@@ -328,9 +328,9 @@ impl<'c> Simulation<'c> {
     }
 }
 
-/// A search looks at one evolution more, which finds that it is over.
-fn took_place(seen: &interp::Evolution) -> bool {
-    !seen.cleared.is_empty() || seen.before != seen.after
+/// A search looks at one evolution more, which finds that it is over; a cycle of an `sfc` may clear nothing.
+fn did_something(done: &interp::Evolution) -> bool {
+    !done.cleared.is_empty() || done.before != done.after
 }
 
 fn first_value(model: &Model, name: Name, ty: &Ty) -> interp::Value {

@@ -185,3 +185,22 @@ fn operating_modes_are_no_parts() {
     let text = "C: 2 of 2 steps active, 1 of 2 transitions cleared, 2 of 6 decisions of parts of conditions\n";
     assert!(semi_automatic.to_string().starts_with(text), "{semi_automatic}");
 }
+
+/// What the bound has stopped is covered when it takes place.
+#[test]
+fn what_the_bound_stops_is_not_covered() {
+    let chart = Chart::parse(
+        "grafcet T { max_evolutions 2; input a, b, c: bool; initial step S1; step S2; step S3; S1 -[a]-> S2 -[b]-> S3 -[c]-> S1; }",
+    )
+    .expect("a chart");
+    let run = |text: &str| {
+        let cycles = script(chart.names(), text).expect("a script");
+        Trace::play(&mut Simulation::new(&chart).expect("understood"), &cycles).expect("understood").coverage
+    };
+    let stopped = run("a b c");
+    assert_eq!((stopped.cleared(), stopped.entered()), (vec![1, 1, 0], &[1, 1, 1][..]));
+    let text = "T: 3 of 3 steps active, 2 of 3 transitions cleared, 2 of 6 decisions of parts of conditions\n";
+    assert!(stopped.to_string().starts_with(text), "{stopped}");
+    let gone_on = run("a b c\nc");
+    assert_eq!((gone_on.cleared(), gone_on.entered()), (vec![1, 1, 1], &[2, 1, 1][..]));
+}

@@ -27,6 +27,35 @@ fn a_cycle_tells_its_evolutions_by_name() {
     assert!(run.is_active("A"));
 }
 
+/// What the cycle cleared, the situation it ends in, and whether that is stable.
+fn told(source: &str, inputs: &[&str]) -> (Vec<Vec<usize>>, Vec<usize>, bool) {
+    let chart = chart(source);
+    let set: Vec<(&str, Value)> = inputs.iter().map(|input| (*input, true.into())).collect();
+    let cycle = Simulation::new(&chart).expect("understood").cycle(0, &set).expect("understood");
+    let entered = cycle.evolutions.last().map(|last| last.steps.clone());
+    assert!(entered.is_none_or(|entered| entered == cycle.steps), "{cycle:?}");
+    (cycle.evolutions.into_iter().map(|one| one.cleared).collect(), cycle.steps, cycle.is_stable)
+}
+
+#[test]
+fn what_the_bound_stops_has_not_taken_place() {
+    let round = "grafcet T { max_evolutions 2; input a, b, c: bool; initial step S1; step S2; step S3;
+                   S1 -[a]-> S2 -[b]-> S3 -[c]-> S1; }";
+    assert_eq!(told(round, &["a", "b", "c"]), (vec![vec![0], vec![1]], vec![2], false));
+    // It ends at the bound, and is stable.
+    assert_eq!(told(round, &["a", "b"]), (vec![vec![0], vec![1]], vec![2], true));
+    assert_eq!(told(round, &["a"]), (vec![vec![0]], vec![1], true));
+    // A self-loop clears and changes nothing; one that counts goes on.
+    let turns = |arrow: &str| {
+        format!(
+            "grafcet T {{ max_evolutions 3; input a: bool; var n: u8 = 0; initial step A; step B; {arrow}-> A; A -[false]-> B -[true]-> A; }}"
+        )
+    };
+    assert_eq!(told(&turns("A -[a]"), &["a"]), (vec![vec![0]], vec![0], true));
+    assert_eq!(told(&turns("A -[a && n < 5 => n = n + 1]"), &["a"]), (vec![vec![0]; 3], vec![0], false));
+    assert_eq!(told(&turns("A -[a && n < 3 => n = n + 1]"), &["a"]), (vec![vec![0]; 3], vec![0], true));
+}
+
 #[test]
 fn an_inner_step_entered_anew_is_left_and_entered() {
     let chart =

@@ -12,7 +12,7 @@ use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
 use super::world::Given;
 use super::{Call, Evolution, Phase, arguments};
-use grafcet_compiler::model::{ActionId, AssociationId, Effect, Id, Model, Place};
+use grafcet_compiler::model::{ActionId, AssociationId, Effect, Id, Model, Place, TransitionId};
 
 /// What `grafcet` remembers beside the state: whether the continuous calls were active on the last stable situation.
 #[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -44,7 +44,7 @@ pub(super) struct Search {
     pub(super) stable: bool,
     /// The evolutions that changed something; the activation of the initial situation is before the search and not counted.
     pub(super) evolutions: u32,
-    /// Every evolution that was looked at; the last one has not taken place.
+    /// Every evolution that was looked at. With the last one the search is over: it changed nothing, or the bound stopped it.
     pub(super) seen: Vec<Evolution>,
     /// How many evolutions there are in a turn, where it has turned: the last ones.
     pub(super) turn: Option<usize>,
@@ -78,8 +78,12 @@ impl Grafcet {
                 (state.edges.clone(), view.sample_edges()?)
             };
             let view = View { edges: Edges { before: &before, now: Some(&now) }, ..state.view(model, given, &delays) };
-            let (evolution, outcome) = evolve(&view)?;
+            let (evolution, outcome, asked) = evolve(&view)?;
             search.stable = is_stable(&evolution, &outcome, &view);
+            // What the bound stops has not taken place: the next cycle asks its conditions again.
+            if search.stable || search.evolutions < most {
+                asked.iter().for_each(|id| view.given.world.asked(*id, &|part| view.holds(part)));
+            }
             search.seen.push(evolution.clone());
             if search.stable || search.evolutions == most {
                 let (calls, outputs) =
@@ -200,9 +204,10 @@ fn activate(view: &View<'_>) -> Result<Outcome, Error> {
     stored::actions(&before, view.situation, &BTreeSet::new())
 }
 
-/// One evolution: what clears on the snapshot, and what the stored actions do.
-fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
+/// One evolution: what clears on the snapshot, what the stored actions do, and which conditions decided.
+fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome, Vec<TransitionId>), Error> {
     let mut evolution = Evolution { before: view.situation.clone(), ..Evolution::default() };
+    let mut asked = Vec::new();
     let anys = any::clearing(view, |partial| hierarchy::is_free(partial, view.situation, view.model))?;
     for id in view.model.transitions.ids() {
         if hierarchy::is_enabled(id, view.situation, view.model) {
@@ -211,7 +216,7 @@ fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
                 continue;
             }
             if modes::asks(id, view) {
-                view.given.world.asked(id, &|part| view.holds(part));
+                asked.push(id);
             }
             if modes::holds(id, view)? {
                 evolution.fireable.insert(id);
@@ -220,7 +225,7 @@ fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
     }
     hierarchy::evolve(&mut evolution, &anys, view.model)?;
     let outcome = stored::actions(view, &evolution.after, &evolution.cleared)?;
-    Ok((evolution, outcome))
+    Ok((evolution, outcome, asked))
 }
 
 /// A25: stable is a fixed point: the situation stays, no stored action changes a value and no call is due.

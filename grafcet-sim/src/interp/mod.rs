@@ -98,9 +98,21 @@ pub struct Cycle {
     pub evolutions: u32,
     /// `sfc`: a block ran, or an assignment found another value than it wrote.
     pub stirred: bool,
-    /// Every evolution that was looked at, in their order. In `grafcet` the last one has not taken place: it changed nothing,
-    /// or the bound stopped it. The activation of the initial situation is none.
+    /// Every evolution that was looked at, in their order; [`Cycle::done`] has those that took place. The activation of the initial
+    /// situation is none.
     pub seen: Vec<Evolution>,
+}
+
+impl Cycle {
+    /// The evolutions that took place: all but the one at which the bound stopped a search (A30). That with which a search finds that it is
+    /// stable changes nothing, but may clear what leads to the same situation.
+    #[must_use]
+    pub fn done(&self) -> &[Evolution] {
+        match self.seen.split_last() {
+            Some((_, done)) if !self.stable => done,
+            _ => &self.seen,
+        }
+    }
 }
 
 /// What one evolution looked at and did.

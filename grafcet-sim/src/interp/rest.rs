@@ -28,7 +28,7 @@ impl Interpreter<'_> {
         if next.memory.without_times() != here || !again.calls.is_empty() || !again.stable {
             return Ok(Rest::Goes);
         }
-        let cleared = cycle.seen.iter().any(|evolution| !evolution.cleared.is_empty());
+        let cleared = cycle.done().iter().any(|evolution| !evolution.cleared.is_empty());
         let did = cleared || !cycle.calls.is_empty() || cycle.stirred || before.without_times() != here;
         Ok(if did { Rest::Looks } else { Rest::Sleeps })
     }

@@ -35,7 +35,7 @@ pub struct State {
 pub struct Edge {
     /// The state after it.
     pub to: usize,
-    /// Its evolutions; in `grafcet` the last one has not taken place.
+    /// The evolutions that were looked at, in `grafcet` also the one with which the search was over.
     pub evolutions: Vec<Evolution>,
     /// It ended in a stable situation (A30).
     pub stable: bool,
@@ -49,12 +49,12 @@ impl Edge {
         self.done(model).iter().flat_map(|evolution| evolution.cleared.iter().copied())
     }
 
-    /// The evolutions that took place. In a stable `grafcet` the last one, that did not, cleared at most what leads to the
-    /// same situation (A4g): a self-loop turns all the same.
+    /// The evolutions that took place: not the one at which the bound stopped a search. Where that is stable the last one cleared at most
+    /// what leads to the same situation (A4g): a self-loop turns all the same.
     #[must_use]
     pub fn done(&self, model: &Model) -> &[Evolution] {
         match self.evolutions.split_last() {
-            Some((last, before)) if model.is_grafcet() && last.before != last.after => before,
+            Some((_, before)) if model.is_grafcet() && !self.stable => before,
             _ => &self.evolutions,
         }
     }
