@@ -129,11 +129,7 @@ impl Walk<'_> {
 
     fn kind_of_read(&self, read: Read) -> Kind {
         match read {
-            Read::Name(name) => match kind(self.model, name) {
-                // In conditions a variant is its place in the list.
-                Kind::Listed(..) => NUMBER,
-                kind => kind,
-            },
+            Read::Name(name) => kind(self.model, name),
             Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_) => Kind::Time,
             _ => Kind::Bool,
         }

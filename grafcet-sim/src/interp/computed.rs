@@ -81,7 +81,8 @@ fn exact(operator: Binary, a: i128, b: i128) -> Option<i128> {
 fn cast(value: Term, into: Integer) -> Option<Result<Term, Error>> {
     let value = match value {
         Term::Bool(value) => i128::from(value),
-        Term::Int(value, _) => value,
+        // As an enum is numbered that says nothing else.
+        Term::Int(value, _) | Term::Name(_, Some(value)) => value,
         _ => return None,
     };
     let width = Width { signed: into.signed, bits: if into.is_size { 32 } else { into.bits } };

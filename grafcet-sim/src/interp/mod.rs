@@ -13,6 +13,7 @@
 //! - `recall`, `by_state`: a memory put together from a recorded state, and what follows from the active step alone
 //! - `remembered`: edges and delays of properties
 //! - `time`, `value`: delays and timers, values and their arithmetic
+//! - `variant`: those of enums, listed or not
 
 mod any;
 mod by_state;
@@ -34,6 +35,7 @@ mod state;
 mod stored;
 mod time;
 mod value;
+mod variant;
 mod view;
 mod world;
 
@@ -56,7 +58,9 @@ pub use self::view::Situation;
 use self::view::View;
 use self::world::Given;
 pub use self::world::{Nothing, World};
-use grafcet_compiler::model::{ActionId, AssociationId, Blinker, Dialect, Expr, Model, StepId, TransitionId, Tree, Ty};
+use grafcet_compiler::model::{
+    ActionId, AssociationId, Blinker, Dialect, Expr, Model, Name, StepId, TransitionId, Tree, Ty,
+};
 
 /// Which call of a code action this is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -167,7 +171,7 @@ impl<'m> Interpreter<'m> {
         let default = u32::try_from(model.steps.len()).unwrap_or(u32::MAX).saturating_mul(2).saturating_add(2);
         Ok(Self {
             model,
-            params: state::constants(model.params.values().map(|p| (&p.ty, &p.init)), model)?,
+            params: state::constants(model.params.iter().map(|(id, p)| (Name::Param(id), &p.init)), model)?,
             memory,
             max_evolutions: model.max_evolutions.unwrap_or(default),
         })

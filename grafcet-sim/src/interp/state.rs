@@ -6,9 +6,10 @@ use super::hierarchy;
 use super::rest::cap;
 use super::time::{self, Delayed};
 use super::value::{Error, Value, default};
+use super::variant;
 use super::view::{Edges, Situation, Times, View};
 use super::world::{Given, Nothing};
-use grafcet_compiler::model::{DelayId, EdgeId, Expr, Model, Read, Ty};
+use grafcet_compiler::model::{DelayId, EdgeId, Expr, Model, Name, Read};
 
 /// The memory of a running chart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -35,7 +36,7 @@ pub(super) struct State {
 impl State {
     /// A1: the initial situation with the initial values, before the first cycle.
     pub(super) fn initial(model: &Model) -> Result<Self, Error> {
-        let outputs = constants(model.outputs.values().map(|o| (&o.ty, &o.init)), model)?;
+        let outputs = constants(model.outputs.iter().map(|(id, o)| (Name::Output(id), &o.init)), model)?;
         let situation = hierarchy::initial_situation(model)?;
         let mut times = Times::default();
         times.enter(model, &situation);
@@ -45,7 +46,7 @@ impl State {
             situation,
             times,
             longest: if blinks(model) { u64::MAX } else { u64::from(u32::MAX) },
-            vars: constants(model.vars.values().map(|v| (&v.ty, &v.init)), model)?,
+            vars: constants(model.vars.iter().map(|(id, v)| (Name::Var(id), &v.init)), model)?,
             initial_outputs: outputs.clone(),
             outputs,
             edges: BTreeMap::new(),
@@ -131,7 +132,7 @@ fn blinks(model: &Model) -> bool {
 
 /// The values after `=`, or those of `Default`.
 pub(super) fn constants<'m>(
-    names: impl Iterator<Item = (&'m Ty, &'m Option<Expr>)>,
+    names: impl Iterator<Item = (Name, &'m Option<Expr>)>,
     model: &Model,
 ) -> Result<Vec<Value>, Error> {
     let (nothing, situation, times) = (BTreeMap::new(), Situation::new(), Times::default());
@@ -148,9 +149,9 @@ pub(super) fn constants<'m>(
         remembered: None,
         own: None,
     };
-    let value = |(ty, init): (&Ty, &Option<Expr>)| match init {
-        None => Ok(default(ty)),
-        Some(init) => view.eval(&init.tree)?.into_value(ty),
+    let value = |(name, init): (Name, &Option<Expr>)| match init {
+        None => Ok(default(model.ty(name))),
+        Some(init) => variant::value(view.eval(&init.tree)?, name, model),
     };
     names.map(value).collect()
 }

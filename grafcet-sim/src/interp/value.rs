@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::real::{Real, Symbol};
+use super::variant;
 use grafcet_compiler::model::{Binary, Ty, Unary};
 
 /// A value of a declared name.
@@ -16,7 +17,7 @@ pub enum Value {
     Ticks(u32),
     /// `f32` or `f64`.
     Real(Real),
-    /// A variant of an enum that the chart does not list.
+    /// A variant of an enum. Where the chart lists it, what the chart stores is an `Int`: the place in the list.
     Name(Symbol),
     /// What `Default` gives for a type of the program: nobody here knows it.
     Unknown,
@@ -109,7 +110,8 @@ pub(super) enum Term {
     Ticks(u32),
     /// With whether it is an `f32`.
     Real(Real, Option<bool>),
-    Name(Symbol),
+    /// A variant, with its place where the chart lists it.
+    Name(Symbol, Option<i128>),
 }
 
 impl Term {
@@ -130,7 +132,7 @@ impl Term {
             (Value::Int(value), _) => Self::Int(value, None),
             (Value::Ticks(value), _) => Self::Ticks(value),
             (Value::Real(value), ty) => Self::Real(value, Some(is_single(ty))),
-            (Value::Name(value), _) => Self::Name(value),
+            (Value::Name(value), _) => Self::Name(value, None),
             (Value::Unknown, ty) => return Err(Error::NotUnderstood(format!("the default of {}", name(ty)))),
         })
     }
@@ -142,7 +144,7 @@ impl Term {
             Value::Int(value) => Self::Int(value, None),
             Value::Ticks(value) => Self::Ticks(value),
             Value::Real(value) => Self::Real(value, None),
-            Value::Name(value) => Self::Name(value),
+            Value::Name(value) => Self::Name(value, None),
             Value::Unknown => return Err(Error::NotUnderstood(text.to_owned())),
         })
     }
@@ -156,7 +158,7 @@ impl Term {
         let is_number = digits.starts_with(|c: char| c.is_ascii_digit());
         match digits.replace('_', "").parse::<f64>() {
             Ok(value) if is_number => Some(Self::Real(Real(value).rounded(single), single)),
-            _ => Symbol::of_path(text).map(Self::Name),
+            _ => Symbol::of_path(text).map(|variant| Self::Name(variant, None)),
         }
     }
 
@@ -167,7 +169,7 @@ impl Term {
             Self::Int(value, _) => Value::Int(value),
             Self::Ticks(value) => Value::Ticks(value),
             Self::Real(value, _) => Value::Real(value.rounded(Some(is_single(ty)))),
-            Self::Name(value) => Value::Name(value),
+            Self::Name(value, _) => Value::Name(value),
         };
         accept(value, ty)
     }
@@ -229,6 +231,7 @@ pub(super) fn unary(operator: Unary, operand: Term) -> Result<Term, Error> {
 
 /// A strict operation; the lazy `&&` and `||` are the evaluation's business.
 pub(super) fn binary(operator: Binary, left: Term, right: Term) -> Result<Term, Error> {
+    let wrong = || Error::Type(format!("{operator:?} of {left:?} and {right:?}"));
     match (left, right) {
         (Term::Bool(a), Term::Bool(b)) => booleans(operator, a, b),
         (Term::Ticks(a), Term::Ticks(b)) => ticks(operator, a, b),
@@ -239,10 +242,14 @@ pub(super) fn binary(operator: Binary, left: Term, right: Term) -> Result<Term, 
             integers(operator, a, b, common(left, right)?)
         }
         (Term::Real(a, left), Term::Real(b, right)) => reals(operator, a.0, b.0, left.or(right)),
-        (Term::Name(a), Term::Name(b)) if matches!(operator, Binary::Eq | Binary::Ne) => {
-            Ok(Term::Bool((a == b) == (operator == Binary::Eq)))
+        (Term::Name(a, left_place), Term::Name(b, right_place)) => {
+            variant::compared(operator, (a, left_place), (b, right_place)).ok_or_else(wrong)
         }
-        _ => Err(Error::Type(format!("{operator:?} of {left:?} and {right:?}"))),
+        // In a condition a variant is written as its place in the list of what it is compared with.
+        (Term::Name(_, Some(a)), Term::Int(b, None)) | (Term::Int(a, None), Term::Name(_, Some(b))) => {
+            compare(operator, &a, &b).ok_or_else(wrong)
+        }
+        _ => Err(wrong()),
     }
 }
 

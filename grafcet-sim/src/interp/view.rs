@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::computed::computed;
 use super::continuous;
 use super::remembered::Remembered;
-use super::value::{Error, Term, Value, accept, binary, unary};
+use super::value::{Error, Term, Value, binary, unary};
+use super::variant;
 use super::world::Given;
 use grafcet_compiler::model::{
     Binary, Blinker, Code, Computed, DelayId, EdgeId, How, Id, MacroId, Model, Name, OutputId, Place, Read, Statement,
@@ -107,7 +108,7 @@ impl View<'_> {
         let mut written = BTreeMap::new();
         for (name, value) in told {
             let place = *place(&name).ok_or_else(unknown)?;
-            written.insert(place, accept(value, self.model.place_ty(place))?);
+            written.insert(place, variant::told(value, place.into(), self.model)?);
         }
         Ok(written)
     }
@@ -168,7 +169,7 @@ impl View<'_> {
 
     /// The value of a name, of its type.
     pub(super) fn value_of(&self, name: Name) -> Result<Value, Error> {
-        self.name(name)?.into_value(self.model.ty(name))
+        variant::value(self.name(name)?, name, self.model)
     }
 
     /// `t/Step` is `Step.X && Step.T >= t`; `0s/Step` is `Step.X` (A23).
@@ -196,14 +197,8 @@ impl View<'_> {
         edges.map(|(id, edge)| Ok((id, self.holds(&edge.of.tree)?))).collect()
     }
 
-    /// A variant that the chart lists is its place there.
     fn name(&self, name: Name) -> Result<Term, Error> {
-        let term = self.stored(name)?;
-        let Term::Name(symbol) = term else { return Ok(term) };
-        let Some(variants) = self.model.variants_of(name) else { return Ok(term) };
-        let place = variants.list.iter().position(|variant| variant.name == symbol.name());
-        let place = place.and_then(|place| i128::try_from(place).ok());
-        place.map(|place| Term::Int(place, None)).ok_or_else(|| Error::Type(format!("{symbol} is not in the list")))
+        variant::term(self.stored(name)?, name, self.model)
     }
 
     fn stored(&self, name: Name) -> Result<Term, Error> {
@@ -246,11 +241,7 @@ impl View<'_> {
 
     /// The value that `place` takes from an expression.
     pub(super) fn value_for(&self, place: Place, tree: &Tree) -> Result<Value, Error> {
-        let ty = match place {
-            Place::Output(id) => &self.model.outputs[id].ty,
-            Place::Var(id) => &self.model.vars[id].ty,
-        };
-        self.eval(tree)?.into_value(ty)
+        variant::value(self.eval(tree)?, place.into(), self.model)
     }
 
     /// Runs the statements of a block, which sees its own writes (A33), and returns what it wrote.
