@@ -12,6 +12,7 @@ use super::is_combinational;
 use super::state::State;
 use super::time::{Delayed, Stopwatch};
 use super::value::Value;
+use super::variant;
 use super::view::Situation;
 use super::{Interpreter, Machine, Memory};
 use grafcet_compiler::held::Held;
@@ -139,8 +140,9 @@ impl Recall<'_> {
     fn values(&mut self) -> Result<(), String> {
         let model = self.model;
         for id in model.vars.ids().filter(|id| !is_combinational(model, *id)) {
-            let value = self.value(&Held::Var(id));
-            self.state().vars[id.index()] = value.ok_or_else(|| format!("what `{}` is", model.vars[id].name))?;
+            let value = self.value(&Held::Var(id)).ok_or_else(|| format!("what `{}` is", model.vars[id].name))?;
+            let value = variant::told(value, Name::Var(id), model).map_err(|error| error.to_string())?;
+            self.state().vars[id.index()] = value;
         }
         for (id, output) in model.outputs.iter() {
             let place = Place::Output(id);

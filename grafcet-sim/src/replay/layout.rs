@@ -42,8 +42,8 @@ enum Width {
     States(Vec<String>, bool),
     /// So many bytes, a bit for each step.
     Flags(usize),
-    /// One of so many variants.
-    Listed(usize),
+    /// One of these variants. All fields of an enum are written by one list of it, whatever the chart lists of their names.
+    Listed(Vec<String>),
     /// Or nothing.
     Optional(Box<Width>),
 }
@@ -124,7 +124,7 @@ impl Layout {
             if value == *found || value == interp::Value::Unknown {
                 continue;
             }
-            // Of a variant the state has the place in the list, the simulation the place or the name.
+            // Of a variant the state has the name, the simulation the place in the list, where there is one.
             let (found, value) = (outside(*found, name, model), outside(value, name, model));
             if !matches!((&found, &value), (Value::Name(one), Value::Name(other)) if one == other) {
                 let name = model.value_name(name);
@@ -197,7 +197,7 @@ impl Field {
 impl Width {
     /// A value of this width; none where there is none, or one that only `next_deadline` asks for.
     fn read(&self, bits: &mut Reader<'_>) -> Result<Option<interp::Value>, String> {
-        use interp::{Real, Value};
+        use interp::{Real, Symbol, Value};
         let mut take = |width| bits.take(width).ok_or_else(torn);
         Ok(Some(match self {
             Self::Bool => Value::Bool(take(1)? != 0),
@@ -208,7 +208,10 @@ impl Width {
                 let (low, high) = (take(32)?, take(32)?);
                 Value::Real(Real(f64::from_bits(u64::from(high) << 32 | u64::from(low))))
             }
-            Self::Listed(count) => Value::Int(i128::from(take(bits_for(*count))?)),
+            Self::Listed(variants) => {
+                let variant = variants.get(take(bits_for(variants.len()))? as usize);
+                Value::Name(Symbol::of(variant.ok_or_else(torn)?))
+            }
             Self::Optional(value) => {
                 let is_some = take(1)? != 0;
                 return value.read(bits).map(|value| value.filter(|_| is_some));
@@ -229,8 +232,8 @@ fn torn() -> String {
 /// What the types of the fields are made of.
 struct Types {
     enums: Vec<(String, Vec<String>, bool)>,
-    /// Each with how many variants.
-    listed: Vec<(String, usize)>,
+    /// Each with its variants.
+    listed: Vec<(String, Vec<String>)>,
 }
 
 impl Types {
@@ -239,8 +242,8 @@ impl Types {
         let is_as = |tree: &TokenTree| matches!(tree, TokenTree::Ident(word) if word == "as");
         if let Some(at) = ty.iter().position(is_as) {
             let [TokenTree::Ident(how), optional @ ..] = &ty[at + 1..] else { return None };
-            let (_, count) = self.listed.iter().find(|(name, _)| how == name)?;
-            let width = Width::Listed(*count);
+            let (_, variants) = self.listed.iter().find(|(name, _)| how == name)?;
+            let width = Width::Listed(variants.clone());
             return Some(if optional.is_empty() { width } else { Width::Optional(Box::new(width)) });
         }
         match ty.last()? {
@@ -339,16 +342,19 @@ fn enums(part: &Group) -> Vec<(String, Vec<String>, bool)> {
     enums
 }
 
-/// Each with its name and how many variants it has.
-fn listed(part: &Group) -> Vec<(String, usize)> {
+/// Each with its name and its variants, which are the last words of their paths.
+fn listed(part: &Group) -> Vec<(String, Vec<String>)> {
     let (mut listed, mut name) = (Vec::new(), None);
     for tree in part.stream() {
         match tree {
             TokenTree::Ident(word) if name.is_none() => name = Some(word.to_string()),
             TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
-                let is_comma = |tree: &TokenTree| matches!(tree, TokenTree::Punct(punct) if punct.as_char() == ',');
-                let count = group.stream().into_iter().filter(is_comma).count();
-                listed.extend(name.take().map(|name| (name, count)));
+                let variant = |tree| match tree {
+                    TokenTree::Group(path) => path.stream().into_iter().last().map(|word| word.to_string()),
+                    _ => None,
+                };
+                let variants = group.stream().into_iter().filter_map(variant).collect();
+                listed.extend(name.take().map(|name| (name, variants)));
             }
             _ => {}
         }

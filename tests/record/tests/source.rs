@@ -163,20 +163,22 @@ enum Duty {
 }
 
 grafcet! {
-    /// Levels that are floats, and enums that begin as their name and go on as an input's.
+    /// Levels that are floats, and enums that begin as their name and go on as an input's, in lists of two orders and in none.
     #[derive(Debug)]
     sfc Basin {
         input level: f32;
         input duty: Duty in {Off, Eco, Full};
         input ack: bool;
         output pump, alarm: bool;
+        output shows: Duty = Duty::Off;
         var kept: Duty in {Off, Eco, Full} = Duty::Eco;
+        var last: Duty in {Full, Off, Eco} = Duty::Full;
         var peak: f32 = -1.5;
         param low: f32 = 0.1;
         param base: Duty in {Off, Eco, Full} = Duty::Eco;
         initial step Rest;
         step Fill { N pump; P1 peak = level * 0.1 + peak; }
-        step Done within 2s { P1 kept = duty; N alarm if kept == base; }
+        step Done within 2s { P1 last = kept; P1 kept = duty; N alarm if kept == base && last != kept; P1 shows = last; }
         Rest -[level < low || ack]-> Fill -[duty != Duty::Off && peak < 1e30]-> Done;
         Fill -[3s/Fill]-> Rest;
         Done -[Done.late || kept == Duty::Full && !ack]-> Rest;
