@@ -1,13 +1,26 @@
 //! What a chart is given, and what its places begin with.
 
-use grafcet_compiler::model::{Expr as Written, Name, ParamId, Read, Ty};
-use grafcet_compiler::program::{Initial, PlaceId, Type, Value};
+use grafcet_compiler::model::{Expr as Written, Name, ParamId, Read, Ty, Variants};
+use grafcet_compiler::program::{Initial, PlaceId, Program, Type, Value};
 
 use super::free::Origin;
 use super::sym::{Sym, Width};
 use super::{Lowering, Refused, Source, Wire};
 use crate::aig::Lit;
 use crate::bits::{self, Bits};
+
+/// An enum that is listed in two orders. In the circuit a variant is its place, which has to be the same in all lists that it may be copied between.
+pub(super) fn in_two_orders(program: &Program<'_>) -> Option<String> {
+    let models = std::iter::once(program.model).chain(program.plants.iter().map(|plant| plant.model));
+    let lists: Vec<&Variants> = models.flat_map(|model| &model.variants).collect();
+    let ty = |list: &Variants| list.path.segments.last().map(|segment| segment.ident.to_string());
+    let differs = |a: &Variants, b: &Variants| a.list.iter().zip(&b.list).any(|(a, b)| a.name != b.name);
+    let twice = |(at, list): (usize, &&Variants)| {
+        let differs = |other: &&Variants| ty(other) == ty(list) && differs(other, list);
+        if lists[..at].iter().any(differs) { ty(list) } else { None }
+    };
+    lists.iter().enumerate().find_map(twice)
+}
 
 impl Lowering<'_, '_> {
     /// What the chart is given in this cycle.

@@ -293,6 +293,9 @@ impl Circuit {
     /// # Errors
     /// It takes more, or something in the chart is not modelled.
     pub fn within(program: &Program<'_>, largest: usize) -> Result<Self, Refused> {
+        if let Some(ty) = given::in_two_orders(program) {
+            return Err(Refused(format!("the variants of `{ty}`, which are listed in two orders")));
+        }
         let mut clock = Clock::of(program, &claims::conditions(program.model), monitors::longest(program.model));
         for plant in &program.plants {
             clock = clock.or(Clock::of(plant, &[], 0));

@@ -196,6 +196,22 @@ fn one_of_two_values_is_computed() {
     assert!(broken(&found[1]).iter().all(|shown| shown.told.is_empty()));
 }
 
+/// A place in one list is another variant in the other.
+#[test]
+fn an_enum_that_is_listed_in_two_orders_has_no_circuit() {
+    let chart = |list: &str| {
+        format!(
+            "sfc C {{ input e: Mode in {{Off, Auto}}; assume never e == Mode::Off; var m: Mode in {{{list}}} = Mode::Off; initial step A; step B {{ P1 m = e; }}
+             A -[true]-> B -[true]-> A; never B.X && m != Mode::Auto; }}"
+        )
+    };
+    assert!(is_proved(&verdicts(&chart("Off, Auto"))[0]));
+    let model = read(&chart("Auto, Off"));
+    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let refused = Circuit::of(&program).expect_err("a place would be two variants");
+    assert_eq!(refused.0, "the variants of `Mode`, which are listed in two orders");
+}
+
 /// What the interpreter computes and the circuit does not is no reason to disagree.
 #[test]
 fn what_only_the_interpreter_computes_is_left_open() {
