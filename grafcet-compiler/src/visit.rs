@@ -19,7 +19,7 @@ pub(crate) trait Visit {
     /// Comes to the call of a macro, in which there are only tokens.
     fn call(&mut self, _call: &mut Macro) {}
 
-    /// Comes to a field of a struct expression, before what is in it.
+    /// Leaves a field of a struct expression.
     fn field(&mut self, _field: &mut FieldValue) {}
 
     /// Comes to a name that a pattern binds.
@@ -99,8 +99,8 @@ impl VisitMut for Walk<'_> {
     }
 
     fn visit_field_value_mut(&mut self, field: &mut FieldValue) {
-        self.0.field(field);
         visit_mut::visit_field_value_mut(self, field);
+        self.0.field(field);
     }
 
     fn visit_pat_ident_mut(&mut self, pattern: &mut PatIdent) {

@@ -3,7 +3,7 @@
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 
-use super::expr::{Lower, Seen};
+use super::expr::{Lower, Seen, single_name};
 use super::names::is_of_step;
 use super::scope::Meaning;
 use crate::list::PushAll;
@@ -123,9 +123,14 @@ impl Visit for Lower<'_, '_> {
     }
 
     fn field(&mut self, field: &mut syn::FieldValue) {
-        // `Point { x }` would lose its name when `x` is replaced.
-        if field.colon_token.is_none() {
-            field.colon_token = Some(syn::token::Colon::default());
+        if field.colon_token.is_some() {
+            return;
+        }
+        match single_name(&field.expr).filter(|name| field.member == name.clone().into()) {
+            // `Point { x: x }` would be a lint's business.
+            Some(name) => field.member = name.into(),
+            // `Point { x }` would lose its name where something else stands for `x`.
+            None => field.colon_token = Some(syn::token::Colon::default()),
         }
     }
 }

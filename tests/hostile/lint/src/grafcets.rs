@@ -2,6 +2,8 @@
 
 use grafcet::{Phase, grafcet};
 
+use crate::sfcs::Point;
+
 grafcet! {
     /// The 24 V production line.
     pub grafcet Line24V {
@@ -238,5 +240,18 @@ grafcet! {
         Rest -[matches!(mode, Mode::Manual(_)) && other == mode]-> Jog -[!matches!(mode, Mode::Manual(..))]-> Rest;
         never ram && lamp;
         never ram && mode == Mode::Off;
+    }
+}
+
+grafcet! {
+    /// Structs whose fields have the names of values, wherever Rust may stand.
+    pub grafcet Fields {
+        input x, y: u8;
+        output q: bool;
+        output at: Point = Point { x: 0, y: 0 };
+        var other: Point = Point { x: 0, y: 0 };
+        initial step A { q if Point { x, y }.is_far(); at = Point { x, y }; }
+        step B { P1 other = Point { x, y: 1 }; P0 { let y = 3; other = Point { x, y }; } }
+        A -[Point { x, y }.is_far() && other == Point { x: 1, y }]-> B -[x < 3 || x > 200]-> A;
     }
 }

@@ -111,12 +111,55 @@ grafcet! {
     }
 }
 
+/// A place.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Point {
+    /// To the right.
+    pub x: u8,
+    /// Up.
+    pub y: u8,
+}
+
+impl Point {
+    /// Whether it is one.
+    #[must_use]
+    pub const fn is_far(self) -> bool {
+        self.x > 100
+    }
+}
+
+/// Something that holds or not.
+#[derive(Clone, Copy, Debug)]
+pub struct Flag {
+    /// It holds.
+    pub z: bool,
+}
+
+grafcet! {
+    /// Structs whose fields have the names of values, wherever Rust may stand.
+    pub sfc Fields {
+        input x, y: u8;
+        output q: bool;
+        output at: Point = Point { x: 0, y: 0 };
+        var other: Point = Point { x: 0, y: 0 };
+        let z = x > 3 && y > 3;
+        action go(at: Point);
+        initial step A { q if Point { x, y }.is_far(); at = Point { x, y }; }
+        step B { P1 other = Point { x, y: 1 }; N go(Point { x, y }); P0 { let y = 3; other = Point { x, y }; } }
+        A -[Point { x, y }.is_far() && other == Point { x: 1, y }]-> B -[Flag { z }.z || x > 200]-> A;
+    }
+}
+
 /// Carries out no action.
 #[derive(Clone, Copy, Debug)]
 pub struct Silent;
 
 impl BatchActions for Silent {
     fn heat(&mut self, _: Phase, _: i16) {}
+}
+
+impl FieldsActions for Silent {
+    fn go(&mut self, _: Phase, _: Point) {}
 }
 
 impl QualifiersActions for Silent {
@@ -128,5 +171,7 @@ impl QualifiersActions for Silent {
 fn runs() {
     let mut motor = Motor::new();
     assert!(motor.cycle(&MotorInputs::default()).red);
+    let far = FieldsInputs { x: 101, y: 3 };
+    assert_eq!(Fields::new().cycle(&far, &mut Silent).at, Point { x: 101, y: 3 });
     assert!(!Qualifiers::new().cycle(&QualifiersInputs::default(), 0, &mut Silent).n);
 }

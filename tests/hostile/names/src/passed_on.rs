@@ -140,3 +140,39 @@ fn runs() {
     assert!(Whole::new().cycle(&WholeInputs { x: true }, 0).lamp);
     assert!(Mixed::new().cycle(&MixedInputs::default()).first);
 }
+
+/// A place with a field that is called like an input.
+struct Place {
+    sensor: u16,
+}
+
+impl Place {
+    const fn is_near(&self) -> bool {
+        self.sensor < 10
+    }
+}
+
+/// The input comes from inside, a struct expression that reads it from outside.
+macro_rules! declared {
+    ($vis:vis $name:ident: $condition:expr) => {
+        grafcet! {
+            /// A chart that asks about places.
+            $vis sfc $name {
+                input sensor: u16;
+                output far: bool;
+                initial step Near;
+                step Far { far; }
+                Near -[$condition]-> Far -[Place { sensor }.is_near()]-> Near;
+            }
+        }
+    };
+}
+
+declared! { pub Places: !Place { sensor }.is_near() }
+
+#[test]
+fn fields_take_the_values_of_their_names() {
+    let mut places = Places::new();
+    let mut far = |sensor| places.cycle(&PlacesInputs { sensor }).far;
+    assert!([3, 12, 12, 3, 3].map(&mut far) == [false, true, true, false, false]);
+}
