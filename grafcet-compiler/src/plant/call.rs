@@ -7,6 +7,8 @@ use crate::list::List;
 /// A chart and its plants, of which there is one at least.
 pub(crate) struct Call {
     pub(crate) chart: TokenStream,
+    /// Its name, where it has one.
+    name: Option<Ident>,
     /// What stands between its braces.
     pub(crate) body: TokenStream,
     pub(crate) plants: Vec<Written>,
@@ -40,6 +42,7 @@ impl Call {
         let is_chart = !is_word(all.get(end.wrapping_sub(2)), "plant");
         (is_chart && !plants.is_empty()).then(|| Self {
             chart: all[..=end].iter().cloned().map(TokenStream::from).tokens(),
+            name: name(all.get(end.wrapping_sub(1))),
             body: body.stream(),
             plants,
             rest: all[at..].iter().cloned().map(TokenStream::from).tokens(),
@@ -51,6 +54,15 @@ impl Call {
         let mut tokens = self.chart.clone();
         tokens.extend(self.rest.clone());
         tokens
+    }
+
+    /// What in front of a plant has its name: the types of both would be called the same.
+    pub(super) fn namesake(&self, plant: usize) -> Option<&'static str> {
+        let name = &self.plants[plant].name;
+        if self.name.as_ref() == Some(name) {
+            return Some("the chart");
+        }
+        self.plants[..plant].iter().any(|other| other.name == *name).then_some("a plant")
     }
 
     pub(crate) fn names(&self) -> Vec<String> {
@@ -89,6 +101,13 @@ fn plant(all: &[TokenTree], from: usize) -> Option<(Written, usize)> {
             }
             _ => return None,
         }
+    }
+}
+
+fn name(token: Option<&TokenTree>) -> Option<Ident> {
+    match token {
+        Some(TokenTree::Ident(name)) => Some(name.clone()),
+        _ => None,
     }
 }
 

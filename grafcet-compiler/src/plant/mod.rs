@@ -54,7 +54,7 @@ pub(crate) fn items(
 ) -> (TokenStream, Vec<Diagnostic>) {
     let (mut items, mut all_sound, mut sink, mut of_plants) = (TokenStream::new(), sound, Sink::new(), Vec::new());
     named_once(call, &mut sink);
-    for plant in &call.plants {
+    for (index, plant) in call.plants.iter().enumerate() {
         let plain = written::plain(plant, call, &mut sink);
         let mut said = Sink::new();
         if let Some(chart) = parse::chart(plain.tokens.clone(), &mut said) {
@@ -65,7 +65,10 @@ pub(crate) fn items(
         let compiled = compile(plain.tokens);
         all_sound &= compiled.sound;
         of_plants.push_all(compiled.messages.iter().cloned());
-        let tokens = compiled.tokens(root);
+        let tokens = match call.namesake(index) {
+            Some(_) => diagnostic::tokens(&compiled.messages, root),
+            None => compiled.tokens(root),
+        };
         let cfgs = &plant.cfgs;
         items.extend(if cfgs.is_empty() {
             tokens
@@ -88,11 +91,11 @@ pub(crate) fn items(
     (tokens, messages)
 }
 
-/// Two plants of one name could not be told apart.
+/// A chart and its plants that have one name could not be told apart.
 fn named_once(call: &Call, sink: &mut Sink) {
     for (index, plant) in call.plants.iter().enumerate() {
-        if call.plants[..index].iter().any(|other| other.name == plant.name) {
-            sink.notation(&plant.name, format!("a plant of this call is called `{}` already", plant.name));
+        if let Some(other) = call.namesake(index) {
+            sink.notation(&plant.name, format!("{other} of this call is called `{}` already", plant.name));
         }
     }
 }
