@@ -4,7 +4,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr};
 
-use super::{Error, Input, Result, foreign, leaving};
+use super::{Error, Input, Result, foreign, rust};
 use crate::diagnostic::Mark;
 
 /// A condition, up to what cannot belong to it any more. `what` says what it is if it is missing.
@@ -27,7 +27,7 @@ fn with(input: &mut Input, what: &str, parse: fn(ParseStream) -> syn::Result<Exp
     if foreign::starts_operand(input) || input.at("#") {
         foreign::all(start).map_or(Ok(()), Err)?;
     }
-    leaving::expr(&start, input, &expr)?;
+    rust::expr(&start, input, &expr)?;
     let mut notes = Vec::new();
     assignments(&expr, &mut notes);
     nothing_on_the_left(&expr, &mut notes);

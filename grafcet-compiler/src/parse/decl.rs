@@ -6,7 +6,7 @@ use syn::parse::Parse;
 
 use super::input::Turns;
 use super::recover::{self, Items};
-use super::{Error, Input, Result, leaving, range, types, variants};
+use super::{Error, Input, Result, range, rust, types, variants};
 use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Range, Ty, Variants};
 use crate::diagnostic::Sink;
 use crate::list::List;
@@ -70,7 +70,7 @@ fn value(input: &mut Input) -> Result<Expr> {
     }
     let start = *input;
     let value = input.rust(Expr::parse)?;
-    leaving::expr(&start, input, &value)?;
+    rust::expr(&start, input, &value)?;
     Ok(value)
 }
 

@@ -4,28 +4,14 @@
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
-use syn::{Block, Expr, Label, Lifetime, Macro, Token};
+use syn::{Expr, Label, Lifetime, Macro, Token};
 
 use super::{Error, Input, Result};
 use crate::diagnostic::Mark;
 use crate::visit::{self, Locals, Visit};
 
-/// Refuses what would leave generated code in an expression that was cut out between two places.
-pub(super) fn expr(from: &Input, to: &Input, expr: &Expr) -> Result<()> {
-    exprs(from, to, std::slice::from_ref(expr))
-}
-
-/// The same in several.
-pub(super) fn exprs(from: &Input, to: &Input, exprs: &[Expr]) -> Result<()> {
-    check(from, to, |leaving| exprs.iter().for_each(|expr| leaving.expr(&mut expr.clone())))
-}
-
-/// The same in a block.
-pub(super) fn block(from: &Input, to: &Input, block: &Block) -> Result<()> {
-    check(from, to, |leaving| visit::block(leaving, &mut block.clone()))
-}
-
-fn check(from: &Input, to: &Input, walk: impl FnOnce(&mut Leaving)) -> Result<()> {
+/// Refuses what would leave generated code in Rust that was cut out between two places.
+pub(super) fn check(from: &Input, to: &Input, walk: impl FnOnce(&mut Leaving)) -> Result<()> {
     // Few charts have such words: only these are walked through.
     if !from.may_leave_until(to) {
         return Ok(());
@@ -42,7 +28,7 @@ struct Around {
 }
 
 #[derive(Default)]
-struct Leaving {
+pub(super) struct Leaving {
     around: Vec<Around>,
     /// How many `try` blocks are open, which `?` leaves.
     tries: usize,

@@ -23,12 +23,14 @@ mod partial;
 mod property;
 mod range;
 mod recover;
+mod rust;
 mod setting;
 mod step;
 mod target;
 mod time;
 mod transition;
 mod types;
+mod unbound;
 mod variants;
 mod words;
 

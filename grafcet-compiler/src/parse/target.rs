@@ -6,7 +6,7 @@ use syn::punctuated::Punctuated;
 use syn::{Block, Expr, Token};
 
 use super::input::Turns;
-use super::{Error, Input, Result, leaving};
+use super::{Error, Input, Result, rust};
 use crate::ast::Target;
 use crate::list::List;
 
@@ -15,13 +15,13 @@ pub(super) fn parse(input: &mut Input) -> Result<Target> {
     let start = *input;
     if input.at_group(Delimiter::Brace) {
         let block = input.rust_tokens(1, Block::parse).map_err(|error| assignment(start).unwrap_or(error))?;
-        leaving::block(&start, input, &block)?;
+        rust::block(&start, input, &block)?;
         return Ok(Target::Block(block));
     }
     let name = input.name("a name, an assignment, a call or a block")?;
     if input.at_group(Delimiter::Parenthesis) {
         let args = args(input)?;
-        leaving::exprs(&start, input, &args)?;
+        rust::exprs(&start, input, &args)?;
         return Ok(Target::Call { name, args });
     }
     if input.at_assign() {
@@ -77,7 +77,7 @@ fn value(input: &mut Input, name: &Ident) -> Result<Expr> {
     }
     let start = *input;
     let value = input.rust(Expr::parse)?;
-    leaving::expr(&start, input, &value)?;
+    rust::expr(&start, input, &value)?;
     Ok(value)
 }
 

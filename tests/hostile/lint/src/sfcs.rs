@@ -150,6 +150,27 @@ grafcet! {
     }
 }
 
+grafcet! {
+    /// `let` where Rust binds names.
+    pub sfc Bound {
+        input a: bool;
+        input n: Option<u8>;
+        output q: bool;
+        output count: u8 = 0;
+        initial step A {
+            q if match n { Some(x) if x > 3 => { let y = x; y > 4 }, _ => false };
+            P1 {
+                if let Some(x) = n && x > 3 { count = x; } else if let None = n && a { count = 0; }
+                let mut left = n;
+                while let Some(x) = left { left = x.checked_sub(1); }
+                if let Some(x) = left { count = x; }
+            }
+        }
+        step B;
+        A -[if let Some(x) = n && x > 3 { a } else { !a }]-> B -[{ let x = n; matches!(x, Some(y) if y > 3) }]-> A;
+    }
+}
+
 /// Carries out no action.
 #[derive(Clone, Copy, Debug)]
 pub struct Silent;
