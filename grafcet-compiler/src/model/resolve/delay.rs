@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{BinOp, ExprBinary};
 
-use super::expr::{Lower, literal, looks_like_a_variable, resolve, single_name, step_path};
+use super::expr::{Lower, literal, looks_like_a_variable, resolve_condition, single_name, step_path};
 use super::habits;
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
@@ -108,7 +108,12 @@ impl Lower<'_, '_> {
             return Tree::Bool(true);
         }
         let Some(step) = self.delayed_step(&of) else {
-            let of = resolve(&of, self.resolver);
+            if let Some(step) = self.delayed_time(&of) {
+                let message = format!("`{step}.T` is a time; after `/` stands the step itself, `{step}`");
+                self.resolver.sink.notation(Mark::of(&of), message);
+                return Tree::Bool(true);
+            }
+            let of = resolve_condition(&of, self.resolver);
             let delay = self.resolver.delay(Delay { on, of, off });
             return self.replace(expr, Read::Delay(delay));
         };
@@ -140,6 +145,14 @@ impl Lower<'_, '_> {
             _ => false,
         };
         found.then_some(path)
+    }
+
+    /// `Step` of `5s/Step.T`
+    fn delayed_time(&self, of: &syn::Expr) -> Option<String> {
+        match without_parentheses(of) {
+            syn::Expr::Field(field) => habits::time_of_step(field, self.resolver),
+            _ => None,
+        }
     }
 
     /// `5s/Step/2s`

@@ -35,8 +35,18 @@ pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>)
 
 /// Resolves a condition.
 pub(super) fn resolve_condition(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
+    resolve_after(habits::of_condition, expr, resolver)
+}
+
+/// Resolves what a `let` names.
+pub(super) fn resolve_named(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
+    resolve_after(habits::of_named, expr, resolver)
+}
+
+/// Resolves an expression after a look at how it is written.
+fn resolve_after(habits: fn(&syn::Expr, &mut Resolver<'_>), expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
     let (before, alone) = (resolver.sink.count(), resolver.alone.len());
-    habits::of_condition(expr, resolver);
+    habits(expr, resolver);
     let broken = resolver.sink.count() > before;
     let mut condition = resolve(expr, resolver);
     resolver.alone.truncate(alone);
@@ -195,7 +205,7 @@ impl<'r, 's> Lower<'r, 's> {
         if self.refuses_locals(argument, "an edge") {
             return Tree::Bool(true);
         }
-        let of = resolve(argument, self.resolver);
+        let of = resolve_condition(argument, self.resolver);
         let edge = self.resolver.edge(Edge { of });
         let read = if function == "rising" { Read::Rising(edge) } else { Read::Falling(edge) };
         self.replace(expr, read)

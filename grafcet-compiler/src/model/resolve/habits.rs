@@ -1,7 +1,7 @@
 //! What people write in conditions who know other notations, where Rust would say something else about it or nothing.
 
 use proc_macro2::Ident;
-use syn::{BinOp, Expr, Lit, UnOp};
+use syn::{BinOp, Expr, ExprField, Lit, Member, UnOp};
 
 use super::Resolver;
 use super::expr::{single_name, step_path, without_field};
@@ -10,16 +10,26 @@ use crate::diagnostic::Mark;
 use crate::model::{Name, Ty};
 use crate::parse::time_literal;
 
-/// Looks at each part of a condition that must be true or false by itself; a `let` may name a number or a time, too. `Feeder::Rest` alone, where that is a step of a
+/// Looks at each part of a condition that must be true or false by itself. `Feeder::Rest` alone, where that is a step of a
 /// partial grafcet, is no Rust there; compared with something it may be a variant of a type with such a name.
 pub(super) fn of_condition(expr: &Expr, resolver: &mut Resolver<'_>) {
+    part(expr, false, resolver);
+}
+
+/// The same of what a `let` names, which as a whole may be a number or a time, too.
+pub(super) fn of_named(expr: &Expr, resolver: &mut Resolver<'_>) {
+    part(expr, true, resolver);
+}
+
+/// `open`: it may be something else than true or false.
+fn part(expr: &Expr, open: bool, resolver: &mut Resolver<'_>) {
     match expr {
-        Expr::Paren(paren) => of_condition(&paren.expr, resolver),
-        Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => of_condition(&unary.expr, resolver),
+        Expr::Paren(paren) => part(&paren.expr, open, resolver),
+        Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => part(&unary.expr, open, resolver),
         Expr::Binary(binary) => match logic(&binary.op) {
             Logic::Ours => {
-                of_condition(&binary.left, resolver);
-                of_condition(&binary.right, resolver);
+                part(&binary.left, false, resolver);
+                part(&binary.right, false, resolver);
             }
             Logic::Theirs(ours) if is_bool(&binary.left, resolver) && is_bool(&binary.right, resolver) => {
                 let message = format!("this computes with numbers; of two conditions it is written `{ours}`");
@@ -27,16 +37,10 @@ pub(super) fn of_condition(expr: &Expr, resolver: &mut Resolver<'_>) {
             }
             _ => {}
         },
-        Expr::Path(_) => path(expr, resolver),
-        Expr::Lit(_) if resolver.defining.is_some() => {}
+        Expr::Path(_) => path(expr, open, resolver),
+        Expr::Lit(_) if open => {}
         Expr::Lit(lit) => literal(&lit.lit, resolver),
-        Expr::Field(field) => {
-            let named = single_name(&field.base).is_some_and(|name| is_bool_name(&name, resolver));
-            if named && matches!(&field.member, syn::Member::Named(name) if is_bool_name(name, resolver)) {
-                let message = "`.` asks for a part of something; both of two conditions are asked with `&&`";
-                resolver.sink.notation(field.dot_token.span, message);
-            }
-        }
+        Expr::Field(named) => field(named, open, resolver),
         Expr::MethodCall(call) => {
             let of = single_name(&call.receiver).filter(|name| is_bool_name(name, resolver));
             if let (Some(name), true) = (of, call.method == "rising" || call.method == "falling") {
@@ -46,6 +50,25 @@ pub(super) fn of_condition(expr: &Expr, resolver: &mut Resolver<'_>) {
         }
         _ => {}
     }
+}
+
+/// `a.b` of two conditions; `Fill.T` alone.
+fn field(field: &ExprField, open: bool, resolver: &mut Resolver<'_>) {
+    let base = single_name(&field.base).is_some_and(|name| is_bool_name(&name, resolver));
+    if base && matches!(&field.member, Member::Named(name) if is_bool_name(name, resolver)) {
+        let message = "`.` asks for a part of something; both of two conditions are asked with `&&`";
+        resolver.sink.notation(field.dot_token.span, message);
+    }
+    if let (false, Some(step)) = (open, time_of_step(field, resolver)) {
+        step_time_alone(field, &format!("{step}.T"), &step, resolver);
+    }
+}
+
+/// `Fill` of `Fill.T`, where that is a step.
+pub(super) fn time_of_step(field: &ExprField, resolver: &Resolver<'_>) -> Option<String> {
+    let step = step_path(&field.base)?;
+    let is_time = matches!(&field.member, Member::Named(name) if name == "T");
+    (is_time && is_step(step.last()?, resolver)).then(|| super::text::of(&field.base))
 }
 
 enum Logic {
@@ -93,18 +116,30 @@ fn ty<'m>(name: &Ident, resolver: &'m Resolver<'_>) -> Option<&'m Ty> {
 }
 
 /// A name, or a step of another partial grafcet.
-fn path(expr: &Expr, resolver: &mut Resolver<'_>) {
+fn path(expr: &Expr, open: bool, resolver: &mut Resolver<'_>) {
     let Some(names) = step_path(expr) else { return };
     match &names[..] {
         [partial, step] if is_step(step, resolver) && resolver.scope.has_partial(partial) => {
             resolver.sink.notation(Mark::of(expr), without_field(&format!("{partial}::{step}")));
         }
-        [name] if resolver.defining.is_none() && matches!(ty(name, resolver), Some(Ty::Time(_))) => {
+        [name] if !open && matches!(ty(name, resolver), Some(Ty::Time(_))) => {
             time_alone(expr, &name.to_string(), resolver);
+        }
+        [name] if !open && named_time(name, resolver).is_some() => {
+            let step = named_time(name, resolver).unwrap_or_default();
+            step_time_alone(expr, &name.to_string(), &step, resolver);
         }
         // A constant of the program may be called so, which is compared with something.
         [name] => resolver.alone.push(name.to_string()),
         _ => {}
+    }
+}
+
+/// The step whose time a `let` names.
+fn named_time(name: &Ident, resolver: &Resolver<'_>) -> Option<String> {
+    match resolver.value_of_let(name) {
+        Some(Expr::Field(field)) => time_of_step(field, resolver),
+        _ => None,
     }
 }
 
@@ -125,6 +160,13 @@ fn time_alone(mark: impl quote::ToTokens, time: &str, resolver: &mut Resolver<'_
     let step = resolver.from.clone().unwrap_or_else(|| "Step".to_owned());
     let message =
         format!("a time alone is no condition; `{time}/{step}` holds once step `{step}` has been active for so long");
+    resolver.sink.notation(Mark::of(mark), message);
+}
+
+fn step_time_alone(mark: impl quote::ToTokens, time: &str, step: &str, resolver: &mut Resolver<'_>) {
+    let message = format!(
+        "a time alone is no condition; `{time} >= 3s`, or `3s/{step}`, holds once step `{step}` has been active for so long"
+    );
     resolver.sink.notation(Mark::of(mark), message);
 }
 

@@ -7,7 +7,7 @@ use quote::ToTokens;
 use super::Resolver;
 use super::blink::Owner;
 use super::declare::first_paragraph;
-use super::expr::{Lower, Seen, resolve_condition, single_name};
+use super::expr::{Lower, Seen, resolve_named, single_name};
 use super::otherwise::in_parentheses;
 use super::scope::{Meaning, spelled};
 use crate::ast;
@@ -137,9 +137,17 @@ impl Resolver<'_> {
         let value = self.lets[id.index()].value.clone();
         let owner = std::mem::replace(&mut self.owner, Owner::Chart);
         let defining = self.defining.replace(id);
-        let expr = resolve_condition(&value, self);
+        let expr = resolve_named(&value, self);
         (self.owner, self.defining) = (owner, defining);
         expr
+    }
+
+    /// What a name stands for, as it is written, where that is a `let`.
+    pub(super) fn value_of_let(&self, name: &Ident) -> Option<&syn::Expr> {
+        match self.scope.get(name)? {
+            Meaning::Let(id) => Some(&self.lets[id.index()].value),
+            _ => None,
+        }
     }
 
     /// The values that are mentioned in tokens.
