@@ -6,7 +6,7 @@ use super::bind::Moment;
 use super::machine::Machine;
 use super::situation::{At, shown_in};
 use super::state::step_name;
-use super::{Cx, deadline, derives, late, names, recipe, requirements, types};
+use super::{Cx, deadline, derives, late, names, recipe, requirements, types, unreached};
 use crate::list::List;
 use crate::model::{Id, Name, Read, StepId};
 use crate::place::quote;
@@ -22,10 +22,12 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (stable, deadline, late) = (is_stable(cx, machine), deadline::method(cx, machine), late::method(cx, machine));
     let (ticks, assumptions) = (ticks(cx), assumptions_hold(cx));
     let (situation_struct, levels) = (situation_struct(cx), types::levels(model));
+    let unreached = unreached::allowed(model);
     quote! {
         #situation_struct
 
         #levels
+        #unreached
         impl #chart {
             #cycle
             #init

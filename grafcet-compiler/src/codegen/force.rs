@@ -65,6 +65,7 @@ impl Cx<'_> {
         let (inputs, outputs) = (&names.inputs, &names.outputs);
         let ask = self.forced_situation();
         let (copied, levels) = (requirements::copied(model, p), super::types::levels(model));
+        let unreached = super::unreached::allowed(model);
         let time = self.plan.memory.time;
         let now = time.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
         let ticks = time.then(|| quote!(let now: #p::Ticks = #p::core::convert::Into::into(now);));
@@ -75,6 +76,7 @@ impl Cx<'_> {
             if has_actions { (Some(quote!(, actions)), quote!(actions)) } else { (None, quote!(_actions)) };
         quote! {
             #levels
+            #unreached
             impl #chart {
                 /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
                 /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.

@@ -37,6 +37,7 @@ mod stored;
 mod stub;
 mod time;
 mod types;
+mod unreached;
 mod variants;
 mod writes;
 

@@ -57,4 +57,5 @@
 
 pub mod expanded;
 pub mod grafcets;
+pub mod never;
 pub mod sfcs;
