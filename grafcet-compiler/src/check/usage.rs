@@ -22,8 +22,9 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
     for (id, output) in model.outputs.iter().filter(|(id, _)| !usage.writes(Place::Output(*id))) {
         let name = &model.outputs[id].name;
         let message = format!(
-            "no action of the chart gives output `{name}` a value; let a step do so, delete it, or call it `_{name}` if \
-             that is meant"
+            "no action of the chart gives output `{name}` a value; let a step do so, delete it, or call it `{}` if \
+             that is meant",
+            meant(name)
         );
         report(&rules::UNDRIVEN_OUTPUT, name, &output.levels, message);
     }
@@ -33,13 +34,15 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
             (true, true) => continue,
             (true, false) => {
                 format!(
-                    "variable `{name}` is read and never written; make it a `param`, write it, or call it `_{name}`"
+                    "variable `{name}` is read and never written; make it a `param`, write it, or call it `{}`",
+                    meant(name)
                 )
             }
             // The program may.
             (false, true) => format!(
-                "variable `{name}` is written and never read in the chart; read it, delete it, or call it `_{name}` if only the \
-                 program reads it, by `vars()`"
+                "variable `{name}` is written and never read in the chart; read it, delete it, or call it `{}` if only the \
+                 program reads it, by `vars()`",
+                meant(name)
             ),
             (false, false) => format!("variable `{name}` is never used; {}", mend(name)),
         };
@@ -63,7 +66,12 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 }
 
 fn mend(name: &Ident) -> String {
-    format!("use it, delete it, or call it `_{name}` if that is meant")
+    format!("use it, delete it, or call it `{}` if that is meant", meant(name))
+}
+
+/// The name of something that takes no part in the chart, and is meant to: `_mod` for `r#mod`.
+fn meant(name: &Ident) -> String {
+    format!("_{}", name.to_string().trim_start_matches("r#"))
 }
 
 /// What the chart reads and writes.

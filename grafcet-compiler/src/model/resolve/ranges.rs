@@ -49,7 +49,12 @@ impl Resolver<'_> {
     /// The value of an end, which is one of the type.
     fn bound(&mut self, bound: &Bound, ty: &Ty) -> Option<i128> {
         let message = match (&bound.limit, ty) {
-            (Limit::Time(time), Ty::Time(_)) => return Some(i128::from(self.ticks(time))),
+            (Limit::Time(time), Ty::Time(_)) => {
+                let before = self.sink.count();
+                let ticks = self.ticks(time);
+                // Nothing is said of a range whose end the clock cannot count.
+                return (self.sink.count() == before).then(|| i128::from(ticks));
+            }
             (Limit::Int(value), Ty::Int { signed, bits: bits @ 0..=64, rust }) => {
                 let (least, most) =
                     if *signed { (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) } else { (0, (1 << bits) - 1) };

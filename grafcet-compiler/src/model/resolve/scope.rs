@@ -153,7 +153,7 @@ impl Scope {
             sink.notation(name, message);
         } else if !self.is_broken(name) {
             let hint = nearest(name, &self.partials.values().map(|(_, declared)| declared).list())
-                .unwrap_or_else(|| format!("declare it: `partial {name} {{ … }}`"));
+                .unwrap_or_else(|| declaration(name, &format!("partial {name} {{ … }}")));
             sink.rule(
                 &rules::UNKNOWN_PARTIAL,
                 &[],
@@ -190,7 +190,7 @@ impl Scope {
             return;
         }
         let hint = self.suggest(name, |m| matches!(m, Meaning::Step(_) | Meaning::Macro(_)));
-        let hint = hint.unwrap_or_else(|| format!("declare it: `step {name};`"));
+        let hint = hint.unwrap_or_else(|| declaration(name, &format!("step {name};")));
         let message = format!("no step is called `{name}`; {hint}");
         sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
     }
@@ -202,7 +202,7 @@ impl Scope {
         }
         let hint = self
             .suggest(name, |m| matches!(m, Meaning::Value(_) | Meaning::Let(_) | Meaning::Action(_)))
-            .unwrap_or_else(|| format!("declare it: `{wanted}`"));
+            .unwrap_or_else(|| declaration(name, wanted));
         let message = format!("no name `{name}` is declared; {hint}");
         sink.rule(&rules::UNKNOWN_NAME, &[], vec![(name.into(), message)]);
     }
@@ -273,19 +273,32 @@ fn nearest(name: &Ident, candidates: &[&Ident]) -> Option<String> {
 
 /// Reports a name that the notation or Rust needs.
 pub(super) fn refuse_reserved(name: &Ident, sink: &mut Sink) {
+    if let Some(reason) = reserved(name) {
+        sink.rule(&rules::RESERVED_NAME, &[], vec![(name.into(), format!("`{name}` {reason}"))]);
+    }
+}
+
+/// Why nothing can be called so.
+fn reserved(name: &Ident) -> Option<String> {
     let is_in = |words: &[&str]| words.iter().any(|word| name == word);
-    let message = if is_in(NOTATION) {
-        format!("`{name}` is a word of the notation and cannot be a name; choose another one")
+    if is_in(NOTATION) {
+        Some("is a word of the notation and cannot be a name; choose another one".to_owned())
     } else if is_in(NEVER_A_NAME) {
-        format!("`{name}` cannot be a name in Rust; choose another one")
+        Some("cannot be a name in Rust; choose another one".to_owned())
     } else if is_in(KEYWORDS) {
-        format!(
-            "`{name}` is a keyword of Rust and cannot be a name; choose another one, or write `r#{name}` everywhere"
-        )
+        Some(format!("is a keyword of Rust and cannot be a name; choose another one, or write `r#{name}` everywhere"))
     } else {
-        return;
-    };
-    sink.rule(&rules::RESERVED_NAME, &[], vec![(name.into(), message)]);
+        None
+    }
+}
+
+/// What to do about a name that is not declared.
+fn declaration(name: &Ident, wanted: &str) -> String {
+    match reserved(name) {
+        _ if name == "rising" || name == "falling" => format!("an edge is written `{name}(a)`"),
+        Some(reason) => format!("it {reason}"),
+        None => format!("declare it: `{wanted}`"),
+    }
 }
 
 /// `name`, as generated code can spell it also where it was reported as reserved.
