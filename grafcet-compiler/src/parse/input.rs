@@ -264,14 +264,17 @@ impl<'a> Input<'a> {
     /// Lets `syn` parse Rust from here, and steps over what it used. What follows is the caller's.
     pub(super) fn rust<T>(&mut self, parse: impl FnOnce(ParseStream) -> syn::Result<T>) -> Result<T> {
         let mut ahead = *self;
-        let mut operand = false;
+        let (mut operand, mut lifetime) = (false, false);
         while let Some(token) = ahead.token() {
             // No expression and no type has a name right after an operand: so much less to cut out where `;` is missing.
             let name = !token.word.is_empty() && !words::is_rust(&token.word);
-            if name && operand || matches!(&token.tree, TokenTree::Punct(punct) if punct.as_char() == ';') {
+            let sign = |char| matches!(&token.tree, TokenTree::Punct(punct) if punct.as_char() == char);
+            if name && operand || sign(';') {
                 break;
             }
-            operand = name || matches!(token.tree, TokenTree::Literal(_));
+            // A type follows the name of a lifetime, `&'a u8`.
+            operand = name && !lifetime || matches!(token.tree, TokenTree::Literal(_));
+            lifetime = sign('\'');
             ahead.at = token.behind;
         }
         self.cut(ahead, parse)

@@ -323,3 +323,19 @@ fn invisible_groups() {
     assert!(shown.starts_with("pub Sfc M {Input a: Option < u8 >; "), "{shown}");
     assert!(shown.contains("A -[") && shown.contains("a || b"), "{shown}");
 }
+
+#[test]
+fn a_type_may_follow_the_name_of_a_lifetime() {
+    let cases = [
+        ("input a: &'a u8;", "Input a: & 'a u8"),
+        ("input a: for<'a> fn(&'a u8) -> &'a u8;", "Input a: for < 'a > fn (& 'a u8) -> & 'a u8"),
+        ("input a: Option<for<'a> fn(&'a u8) -> &'a u8>;", "Input a: Option < for < 'a > fn (& 'a u8) -> & 'a u8 >"),
+        ("input a: Part<'a, &'a mut Other<'b>>;", "Input a: Part < 'a , & 'a mut Other < 'b > >"),
+        ("output a: u8 = 'on: { if b { break 'on 3 } 4 };", "Output a: u8 = 'on : { if b { break 'on 3 } 4 }"),
+    ];
+    check(items, &cases);
+    // As much as before is taken for a type where `;` is missing.
+    let (chart, errors) = run("sfc C { input a: &'a u8 input b: bool; }");
+    assert_eq!(errors.len(), 1);
+    assert_eq!(show::body(&chart.expect("a chart").body), "Input a: & 'a u8; Input b: bool");
+}

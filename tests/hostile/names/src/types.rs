@@ -172,6 +172,34 @@ impl NamesActions for Silent {
     fn r#move(&mut self, _: Phase, _: bool) {}
 }
 
+grafcet! {
+    /// Types in which lifetimes have names.
+    pub sfc Lifetimes {
+        input pick: Option<for<'a> fn(&'a (u8, u8)) -> &'a u8>;
+        input go: Option<for<'a, 'b> fn(&'a u8, &'b [u8]) -> &'a u8>;
+        output level: u8 = 0;
+        var last: for<'a> fn(&'a u8) -> &'a u8 = SAME;
+        initial step A { level = go.map_or(0, |go| *last(go(&1, &[2]))); }
+        step B { P1 last = SAME; level = pick.map_or(3, |pick| *pick(&(4, 5))); }
+        A -[pick.is_some()]-> B -[pick.is_none()]-> A;
+    }
+}
+
+const SAME: fn(&u8) -> &u8 = |value| value;
+
+#[test]
+fn lifetimes_have_names() {
+    fn first(pair: &(u8, u8)) -> &u8 {
+        &pair.0
+    }
+    fn go<'a>(value: &'a u8, _: &[u8]) -> &'a u8 {
+        value
+    }
+    let mut chart = Lifetimes::new();
+    assert_eq!(chart.cycle(&LifetimesInputs { pick: None, go: Some(go) }).level, 1);
+    assert_eq!(chart.cycle(&LifetimesInputs { pick: Some(first), go: None }).level, 4);
+}
+
 #[test]
 fn runs() {
     let inputs = ValuesInputs { mode: Mode::Automatic, level: 2.0, counts: [1; 4], big: 3, ..Default::default() };
