@@ -23,6 +23,8 @@ pub struct Chart {
     pub body: Body,
     /// Something in the chart could not be parsed and is absent: what the rest seems to lack may be there.
     pub incomplete: bool,
+    /// It is a plant of a call, written as a chart.
+    pub is_plant: bool,
     /// The names of the plants behind it.
     pub plants: Vec<String>,
 }

@@ -17,7 +17,9 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
     };
     for (id, input) in model.inputs.iter().filter(|(id, _)| !usage.reads(Name::Input(*id))) {
         let name = &model.inputs[id].name;
-        report(&rules::UNUSED_INPUT, name, &input.levels, format!("input `{name}` is never read; {}", mend(name)));
+        // Those of a plant may be written as its faults and choices.
+        let what = if model.is_plant { "" } else { "input " };
+        report(&rules::UNUSED_INPUT, name, &input.levels, format!("{what}`{name}` is never read; {}", mend(name)));
     }
     for (id, output) in model.outputs.iter().filter(|(id, _)| !usage.writes(Place::Output(*id))) {
         let name = &model.outputs[id].name;

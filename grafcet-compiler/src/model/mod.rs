@@ -40,6 +40,8 @@ pub struct Model {
     pub derives: Vec<Derive>,
     /// Lint attributes of the chart as a whole.
     pub levels: Vec<LevelAttr>,
+    /// It is a plant of a call, written as a chart.
+    pub is_plant: bool,
     /// The unit of the time argument of `cycle`, in nanoseconds.
     pub clock_nanos: u64,
     /// Something of the source could not be resolved, and an error says so.

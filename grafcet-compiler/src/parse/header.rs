@@ -8,12 +8,13 @@ use syn::parse::Parse;
 use super::{Error, Input, Result, attrs, body};
 use crate::ast::{Chart, Dialect};
 use crate::diagnostic::Sink;
+use crate::plant;
 use crate::similar;
 
 /// The one chart of a call.
 pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
     let attrs = attrs::of_chart(&mut input, sink);
-    let (vis, (dialect, keyword), name, inside) = match header(&mut input, sink) {
+    let (vis, (dialect, keyword, is_plant), name, inside) = match header(&mut input, sink) {
         Ok(header) => header,
         Err(error) => {
             error.report(sink);
@@ -31,12 +32,14 @@ pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
         input.error(message).report(sink);
     }
     let incomplete = sink.has_errors();
-    Some(Chart { attrs, vis, dialect, keyword, name, body, incomplete, plants: Vec::new() })
+    Some(Chart { attrs, vis, dialect, keyword, name, body, incomplete, is_plant, plants: Vec::new() })
 }
 
-fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, (Dialect, Span), Ident, Input<'a>)> {
+type Header<'a> = (Visibility, (Dialect, Span, bool), Ident, Input<'a>);
+
+fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<Header<'a>> {
     let vis = visibility(input)?;
-    let keyword = input.span();
+    let (keyword, is_plant) = (input.span(), input.at_word(plant::KEYWORD));
     let dialect = dialect(input, sink)?;
     let name = input.name("the name of the chart, as in `sfc Motor { … }`")?;
     if syn::parse2::<Ident>(name.to_token_stream()).is_err() {
@@ -51,7 +54,7 @@ fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, (Di
     let Some(inside) = input.enter(Delimiter::Brace) else {
         return Err(input.error(format!("expected `{{` after the name of the chart, found {}", input.found())));
     };
-    Ok((vis, (dialect, keyword), name, inside))
+    Ok((vis, (dialect, keyword, is_plant), name, inside))
 }
 
 fn visibility(input: &mut Input) -> Result<Visibility> {
@@ -68,6 +71,7 @@ fn dialect(input: &mut Input, sink: &mut Sink) -> Result<Dialect> {
     let written = input.word().unwrap_or_default();
     let (dialect, ours) = match written.to_lowercase().as_str() {
         "sfc" => (Dialect::Sfc, "sfc"),
+        plant::KEYWORD => (Dialect::Sfc, plant::KEYWORD),
         "grafcet" | "graphcet" | "grafset" => (Dialect::Grafcet, "grafcet"),
         "plant" if input.next().word().is_some() => {
             return Err(input.error("a plant stands behind the chart that moves it, in the same call"));

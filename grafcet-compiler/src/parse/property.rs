@@ -29,6 +29,11 @@ pub(super) fn parse(input: &mut Input, word: &str, attrs: Attrs, sink: &mut Sink
                 Some(mut inside) => inside.names(what)?,
                 None => vec![input.step_name(what)?],
             };
+            if input.at("::") {
+                let message = "a way home leads to steps of the chart, which are named alone, `home A;`: without their partial \
+                               grafcet, and none of a plant";
+                return Err(Error::new(input.last(), message));
+            }
             if input.at(",") {
                 return Err(input.error("a home situation of several steps is written in parentheses: `home (A, B);`"));
             }

@@ -27,6 +27,7 @@ use crate::parse;
 use crate::place::quote;
 
 pub(crate) use call::Call;
+pub(crate) use written::KEYWORD;
 
 /// The tokens of a call's chart.
 pub(crate) fn chart_of(tokens: &TokenStream) -> TokenStream {

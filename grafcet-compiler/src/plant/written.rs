@@ -17,6 +17,9 @@ use crate::diagnostic::{Mark, Sink};
 use crate::list::List;
 use crate::parse;
 
+/// The dialect of a plant that is written as a chart: an `sfc` of which messages know that it is a plant. A user writes `plant`.
+pub(crate) const KEYWORD: &str = "__plant";
+
 /// A plant as the tokens of a chart.
 pub(super) struct Plain {
     pub(super) tokens: TokenStream,
@@ -29,7 +32,7 @@ pub(super) fn plain(plant: &Written, call: &Call, sink: &mut Sink) -> Plain {
     let inside = body.items(plant.body.stream());
     let Plainer { free, declared, .. } = body;
     let (before, name, clock) = (&plant.before, &plant.name, clock(&call.body));
-    let keyword = Ident::new("sfc", plant.keyword.span());
+    let keyword = Ident::new(KEYWORD, plant.keyword.span());
     // A machine may stand still for ever, and nobody has to use its type.
     let mut tokens = quote!(#[allow(dead_code)] #before #keyword #name);
     let mut braces = Group::new(

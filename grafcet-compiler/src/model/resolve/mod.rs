@@ -140,6 +140,7 @@ fn empty(chart: &ast::Chart) -> Model {
         attrs: chart.attrs.passed_on.clone(),
         derives: chart.attrs.derives.clone(),
         levels,
+        is_plant: chart.is_plant,
         clock_nanos: time::MILLISECOND,
         incomplete: false,
         max_evolutions: None,
