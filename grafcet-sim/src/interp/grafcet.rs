@@ -82,7 +82,9 @@ impl Grafcet {
             search.stable = is_stable(&evolution, &outcome, &view);
             // What the bound stops has not taken place: the next cycle asks its conditions again.
             if search.stable || search.evolutions < most {
-                asked.iter().for_each(|id| view.given.world.asked(*id, &|part| view.holds(part)));
+                for id in asked {
+                    view.given.world.asked(id, &|part| view.holds(part));
+                }
             }
             search.seen.push(evolution.clone());
             if search.stable || search.evolutions == most {
