@@ -152,12 +152,12 @@ impl Resolver<'_> {
     /// Reports a form of IEC 60848 in an `sfc`.
     pub(super) fn only_in_grafcet(&mut self, mark: impl Into<Mark>, what: &str) {
         if self.model.dialect == Dialect::Sfc {
-            let message = match self.model.is_plant {
-                true => format!(
-                    "a plant is an `sfc` and has no {what}, they are a form of IEC 60848; write it without them"
-                ),
-                false => format!("an `sfc` has no {what}, they are a form of IEC 60848; make the chart a `grafcet`"),
+            let (who, mend) = if self.model.is_plant {
+                ("a plant is an `sfc` and", "write it without them")
+            } else {
+                ("an `sfc`", "make the chart a `grafcet`")
             };
+            let message = format!("{who} has no {what}, they are a form of IEC 60848; {mend}");
             self.sink.notation(mark, message);
         }
     }
