@@ -255,3 +255,15 @@ grafcet! {
         A -[Point { x, y }.is_far() && other == Point { x: 1, y }]-> B -[x < 3 || x > 200]-> A;
     }
 }
+
+grafcet! {
+    /// An action of many arguments, and one that Clippy would take for an iterator's.
+    pub grafcet Called {
+        input go: bool;
+        action set(red: u8, green: u8, blue: u8, white: u8, from: u8, to: u8);
+        action iter();
+        initial step Rest;
+        step Run { set(1, 2, 3, 4, 5, 6); iter(); }
+        Rest -[go]-> Run -[!go]-> Rest;
+    }
+}
