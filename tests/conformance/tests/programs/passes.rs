@@ -425,7 +425,10 @@ fn long_selections_are_not_taken_apart_again_and_again() {
     let selection = |priority: bool| {
         let (mut inputs, mut branches) = (String::new(), String::new());
         for branch in 0..30 {
-            let before: String = (0..branch).filter(|_| priority).map(|other| format!(" && !key{other}")).collect();
+            let mut before = String::new();
+            for other in (0..branch).filter(|_| priority) {
+                _ = write!(before, " && !key{other}");
+            }
             _ = write!(inputs, "key{branch}, ready{branch}, ");
             _ = write!(branches, "step B{branch}; A -[key{branch} && ready{branch}{before}]-> B{branch} -[done]-> A; ");
         }
