@@ -13,7 +13,7 @@ use super::behind::{Behind, Unit};
 use super::owners::owners;
 use crate::model::StepId;
 use crate::program::build::no;
-use crate::program::{PlaceId, Statement, Value};
+use crate::program::{PlaceId, Statement, Type, Value};
 use crate::sorted::Set;
 
 /// More ends of ways than this are too many.
@@ -205,12 +205,20 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         }
     }
 
+    /// Whether a place holds its value whoever reads it.
+    fn is_kept(&self, place: PlaceId) -> bool {
+        let info = &self.several.places[place.0];
+        info.is_field || matches!(info.ty, Type::State(_))
+    }
+
     /// What is known after some statements.
     fn after(&self, list: &[Statement<'m>], env: &mut Env) {
         let (_, after) = self.several.folded(list, env);
         for (place, fact) in after.into_iter().enumerate() {
             env.facts[place] = match fact {
                 Fact::Among(list) if list >= env.lists.len() => Fact::Nothing,
+                // At the ends of the ways it is known which places are read behind them: of locals it has to be the place itself.
+                Fact::Copy(of) if !self.is_kept(of) => Fact::Nothing,
                 fact => fact,
             };
         }
