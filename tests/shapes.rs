@@ -69,6 +69,19 @@ fn long_charts_with_branches_take_no_passes() {
     assert_eq!(shaped(300), Ok((Form::InPlace, Search::None)));
 }
 
+/// A program that is long for its chart is taken all the same where it is no longer than without looking anything up by state, and not where it is longer.
+#[test]
+fn what_is_no_longer_by_state_is_a_program() {
+    let shaped = |file: &str, name: &str| {
+        let rust = fs::read_to_string(format!("tests/good/{file}.rs")).expect("a file of charts");
+        let mut charts = charts::charts(&rust).into_iter();
+        shape(charts.find(|chart| chart.to_string().contains(name)).expect("the chart")).map(|(form, _)| form)
+    };
+    assert_eq!(shaped("operating_modes", "ModalPress"), Ok(Form::Program));
+    assert_eq!(shaped("packaging_line", "PackagingLine"), Ok(Form::Program));
+    assert_eq!(shaped("buffer", "grafcet Buffer"), Ok(Form::Compared));
+}
+
 #[test]
 fn the_charts_of_the_project_have_no_other_shape() {
     for folder in ["examples/charts", "tests/good"] {

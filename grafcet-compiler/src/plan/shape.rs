@@ -14,7 +14,7 @@ const FEW_FIELDS: usize = 3;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
     /// The cycle is printed from a program (`program/`): one region, each transition from one step to one; or parallel branches and partial grafcets
-    /// whose searches end and of which the program is not much longer than the chart.
+    /// of which the program is not much longer than the chart, or no longer than without looking anything up by state.
     Program,
     /// `encoding flags;`: a bit for each step, looked at byte by byte.
     Flags,
@@ -57,7 +57,7 @@ pub(super) struct Known<'p> {
     /// Parallel branches lie within one another.
     pub(super) groups: bool,
     pub(super) may_be_unstable: bool,
-    /// The program of parallel branches is not much longer than the chart.
+    /// The program of several regions is short enough (`program::lean`).
     pub(super) is_lean: bool,
 }
 
