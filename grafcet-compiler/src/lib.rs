@@ -30,7 +30,7 @@ use crate::list::{List, PushAll};
 
 use proc_macro2::TokenStream;
 
-use analysis::{Facts, Prover};
+use analysis::{Facts, Prover, Races};
 use diagnostic::{Diagnostic, Sink};
 use model::Model;
 use plan::Plan;
@@ -71,7 +71,7 @@ pub fn diagnose(chart: TokenStream, wanted: Wanted<'_>) -> Vec<Diagnostic> {
     // As far as a chart is compiled before its code is written, which says nothing more.
     let root = place::quote!(::grafcet);
     let call = plant::Call::of(&chart);
-    let compiled = by(chart, &root, wanted, &|_, _, _| TokenStream::new());
+    let compiled = by(chart, &root, wanted, &|_| TokenStream::new());
     let mut messages = compiled.messages;
     messages.push_all(call.into_iter().flat(|call| plants(&call, compiled.sound, &root, wanted).1));
     messages
@@ -104,8 +104,9 @@ fn plants(call: &plant::Call, sound: bool, root: &TokenStream, wanted: Wanted<'_
 /// A chart without its plants.
 fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> Compiled {
     let fingerprint = wanted.recorded.then(|| fingerprint::of(&chart));
-    let generate =
-        |model: &Model, facts: &Facts<'_>, plan: &Plan<'_>| codegen::generate((model, facts, plan), root, fingerprint);
+    let generate = |sound: &Sound<'_, '_>| {
+        codegen::generate((sound.model, sound.facts, &sound.plan(wanted.recorded)), root, fingerprint)
+    };
     by(chart, root, wanted, &generate)
 }
 
@@ -113,11 +114,12 @@ fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> Compiled
 #[must_use]
 pub fn meanings(root: &TokenStream, chart: TokenStream) -> Vec<(String, held::Held)> {
     let found = std::cell::RefCell::new(Vec::new());
-    let look = |model: &Model, _: &Facts<'_>, plan: &Plan<'_>| {
-        *found.borrow_mut() = codegen::meanings(model, plan, root);
+    let wanted = Wanted { recorded: true, ..Wanted::default() };
+    let look = |sound: &Sound<'_, '_>| {
+        *found.borrow_mut() = codegen::meanings(sound.model, &sound.plan(wanted.recorded), root);
         TokenStream::new()
     };
-    by(chart, root, Wanted { recorded: true, ..Wanted::default() }, &look);
+    by(chart, root, wanted, &look);
     found.into_inner()
 }
 
@@ -125,20 +127,34 @@ pub fn meanings(root: &TokenStream, chart: TokenStream) -> Vec<(String, held::He
 #[cfg(feature = "program")]
 #[must_use]
 pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> TokenStream {
-    by(chart, root, Wanted::default(), &|model, facts, plan| codegen::print(lower(model, facts), plan, root))
-        .tokens(root)
+    let print = |sound: &Sound<'_, '_>| codegen::print(lower(sound.model, sound.facts), &sound.plan(false), root);
+    by(chart, root, Wanted::default(), &print).tokens(root)
 }
 
 /// From the model to a program, such as the naive one.
 #[cfg(feature = "program")]
 pub type Lower = for<'m> fn(&'m Model, &Facts<'_>) -> Result<program::Program<'m>, program::Refused>;
 
+/// A chart in which nothing is wrong.
+struct Sound<'s, 'm> {
+    model: &'m Model,
+    facts: &'s Facts<'m>,
+    races: Races,
+}
+
+impl<'m> Sound<'_, 'm> {
+    /// What its code will look like, of one that is `recorded` or not. Who only looks for mistakes asks for none.
+    fn plan(&self, recorded: bool) -> Plan<'m> {
+        Plan::of(self.model, self.facts, &self.races, recorded)
+    }
+}
+
 /// What all have in common; `generate` writes the items of a chart in which nothing is wrong.
 fn by(
     chart: TokenStream,
     root: &TokenStream,
     wanted: Wanted<'_>,
-    generate: &dyn Fn(&Model, &Facts<'_>, &Plan<'_>) -> TokenStream,
+    generate: &dyn Fn(&Sound<'_, '_>) -> TokenStream,
 ) -> Compiled {
     let mut sink = Sink::new();
     let written = plant::chart_of(&chart);
@@ -150,16 +166,15 @@ fn by(
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
     let facts = (complete && sink.leaves_evolution()).then(|| Facts::of(&model));
-    let planned = facts.and_then(|facts| {
-        let races = check::evolution(&model, &facts, wanted.prover, &mut sink);
-        let plan = (!sink.has_more_than_claims()).then(|| Plan::of(&model, &facts, &races, wanted.recorded));
-        plan.map(|plan| (facts, plan))
+    let sound = facts.as_ref().and_then(|facts| {
+        let races = check::evolution(&model, facts, wanted.prover, &mut sink);
+        if !sink.has_more_than_claims() {
+            check::initial_values(&model, facts, &mut sink);
+        }
+        (!sink.has_more_than_claims()).then_some(Sound { model: &model, facts, races })
     });
-    if let Some((_, plan)) = &planned {
-        check::initial_values(&model, plan, &mut sink);
-    }
-    let items = match planned {
-        Some((facts, plan)) if !sink.has_more_than_claims() => generate(&model, &facts, &plan),
+    let items = match sound {
+        Some(sound) => generate(&sound),
         // What could not be read may be where the time is used.
         _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
     };

@@ -1,14 +1,14 @@
 //! What a chart remembers has an initial value that is a constant, since `new` is `const`.
 
+use crate::analysis::Facts;
 use crate::diagnostic::Sink;
 use crate::model::{Expr, Id, Model, Ty};
-use crate::plan::Plan;
+use crate::plan::Drive;
 
 /// Reports remembered values of a user's own type that state no initial value: `Default` is not `const`.
-pub fn initial_values(model: &Model, plan: &Plan<'_>, sink: &mut Sink) {
-    let remembered = |id: &crate::model::OutputId| plan.drives[id.index()].stored || plan.drives[id.index()].last;
-    for id in model.outputs.ids().filter(remembered) {
-        let output = &model.outputs[id];
+pub fn initial_values(model: &Model, facts: &Facts<'_>, sink: &mut Sink) {
+    let drives = Drive::all(model, &facts.concurrency);
+    for (_, output) in model.outputs.iter().filter(|(id, _)| drives[id.index()].is_remembered()) {
         require("output", &output.name, &output.ty, output.init.as_ref(), sink);
     }
     for var in model.vars.values() {

@@ -22,6 +22,20 @@ pub struct Drive {
     pub last: bool,
 }
 
+impl Drive {
+    /// Those of all outputs, for whoever needs no plan.
+    #[must_use]
+    pub fn all(model: &Model, concurrency: &Concurrency) -> Vec<Self> {
+        all(model, concurrency, &Control::of(model, concurrency))
+    }
+
+    /// A field holds its value from cycle to cycle.
+    #[must_use]
+    pub fn is_remembered(&self) -> bool {
+        self.stored || self.last
+    }
+}
+
 /// The drives of all outputs.
 pub(super) fn all(model: &Model, concurrency: &Concurrency, control: &Control) -> Vec<Drive> {
     let uses = Uses::of(model, control);

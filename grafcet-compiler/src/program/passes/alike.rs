@@ -17,7 +17,7 @@ use super::engine::{Fact, Leaf, Tree};
 use super::fold::initial;
 use super::sparse::States;
 use super::split::each_leaf;
-use super::uses::{Effects, same_statement};
+use super::uses::{Effects, same_statement, writes_to};
 
 /// A local that some way to a state sets from a field.
 struct Copied<'m> {
@@ -59,7 +59,7 @@ pub(super) fn pass(program: &Program<'_>, points: &States, fields: &[PlaceId], t
 
 fn copy<'m>(leaf: &mut Leaf<'m>, one: &Copied<'m>, field: PlaceId, initial: Option<Value>) {
     let Some(Fact::Is(held)) = leaf.facts.get(one.at) else { return };
-    let sets = |statement: &Statement<'_>| Effects::of(statement).writes.contains(&one.local);
+    let sets = |statement: &Statement<'_>| writes_to(statement, one.local);
     let (at, is_set, value) = match leaf.body.iter().rposition(sets) {
         Some(at) => match leaf.body[at] {
             Statement::Set(_, Expr::Value(value)) => (at, true, Some(value)),

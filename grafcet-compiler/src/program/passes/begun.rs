@@ -17,7 +17,7 @@
 //! where it asks for one.
 
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
-use super::uses::{Effects, blocks, blocks_mut, mentions};
+use super::uses::{blocks, blocks_mut, is_written_in, mentions, reads_from, writes_to};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -100,12 +100,12 @@ impl Region {
                 Statement::Loop { body, .. } => self.block(body, None, asked)?,
                 Statement::Part(_, body) => self.block(body, known.clone(), asked)?,
                 other => {
-                    if Effects::of(other).reads.contains(&self.since) {
+                    if reads_from(other, self.since) {
                         asked.extend(known.clone()?);
                     }
                 }
             }
-            if Effects::of(statement).writes.contains(&self.state) {
+            if writes_to(statement, self.state) {
                 known = None;
             }
         }
@@ -179,7 +179,7 @@ impl Region {
             match statement {
                 Statement::Set(place, Expr::Value(value)) if *place == self.state => leads.push(*value),
                 other => {
-                    if Effects::of(other).writes.contains(&self.state) {
+                    if writes_to(other, self.state) {
                         leads.clear();
                         break;
                     }
@@ -191,7 +191,7 @@ impl Region {
         }
         for statement in statements.iter_mut() {
             if let (Statement::If(Expr::Place(place), then, _), Some(_)) = (&mut *statement, begin) {
-                if Some(*place) == self.first && !Effects::of_all(then).writes.contains(&self.state) {
+                if Some(*place) == self.first && !is_written_in(then, self.state) {
                     then.retain(|one| !self.begins_here(one, None));
                 }
             }

@@ -11,7 +11,7 @@
 
 use super::super::{Deadline, Expr, PlaceId, PlaceInfo, Program, Role, Statement};
 use super::live::{Live, Places};
-use super::uses::{Effects, each_read, is_pure, replaced, rewrite};
+use super::uses::{Effects, each_asked, each_read, each_written, is_pure, replaced, rewrite};
 use crate::model::Read;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -141,10 +141,8 @@ impl Uses {
 fn drop_places(program: &mut Program<'_>) {
     let mut used = vec![false; program.places.len()];
     for cycle in program.cycles() {
-        let effects = Effects::of_all(cycle);
-        for place in effects.reads.iter().chain(effects.writes.iter()) {
-            used[place.0] = true;
-        }
+        each_asked(cycle, &mut |place| used[place.0] = true);
+        each_written(cycle, &mut |place| used[place.0] = true);
     }
     each_of_deadline(program.deadline.as_ref(), &mut |place| used[place.0] = true);
     let (mut numbers, mut next) = (Vec::new(), 0);

@@ -3,7 +3,7 @@
 use super::super::{Expr, PlaceId, PlaceInfo, Run, Statement, Type, Value};
 use super::fold::{Known, initial};
 use super::sparse::{Index, States};
-use super::uses::Effects;
+use super::uses::{each_written, leaves};
 use crate::model::{Read, StepId};
 
 /// What is known of a place.
@@ -81,16 +81,15 @@ pub(super) struct Engine<'e, 'm> {
 pub(super) struct Copies {
     /// The copy, and of what it is one, in the order in which they were made.
     all: Vec<(PlaceId, PlaceId)>,
-    /// The copies of each place.
+    /// The copies of each place, as far as there are any.
     of: Vec<Vec<PlaceId>>,
 }
 
 impl Copies {
-    fn none(places: usize) -> Self {
-        Self { all: Vec::new(), of: vec![Vec::new(); places] }
-    }
-
     pub(super) fn add(&mut self, copy: PlaceId, of: PlaceId) {
+        if self.of.len() <= of.0 {
+            self.of.resize_with(of.0 + 1, Vec::new);
+        }
         let known = &mut self.of[of.0];
         if !known.contains(&copy) {
             known.push(copy);
@@ -118,6 +117,24 @@ struct Cursor {
     next: Option<usize>,
 }
 
+/// What is known where a cycle or a round begins: some places begin as they are declared, or in a loop may be taken for it, as nothing has
+/// written them.
+pub(super) fn beginning(places: &[PlaceInfo<'_>], assumed: &[bool], in_loop: bool) -> Vec<Fact> {
+    let mut env = vec![Fact::Nothing; places.len()];
+    for ((place, assumed), fact) in places.iter().zip(assumed).zip(&mut env) {
+        if !assumed {
+            continue;
+        }
+        *fact = match initial(place).filter(|_| !matches!(place.ty, Type::User(_))) {
+            Some(value) if in_loop => Fact::Assumed(value),
+            Some(value) => Fact::Is(value),
+            None if in_loop => Fact::Nothing,
+            None => Fact::Initial,
+        };
+    }
+    env
+}
+
 impl<'e, 'm> Engine<'e, 'm> {
     pub(super) fn new(
         places: &'e [PlaceInfo<'m>],
@@ -125,25 +142,8 @@ impl<'e, 'm> Engine<'e, 'm> {
         state: PlaceId,
         points: &'e States,
         fields: &'e [PlaceId],
-        // What begins as it is declared, or in a loop may be taken for it: locals that nothing has written.
-        assumed: &[bool],
-        in_loop: bool,
+        env: Vec<Fact>,
     ) -> Self {
-        let mut env = Vec::with_capacity(places.len());
-        for (place, assumed) in places.iter().zip(assumed) {
-            env.push(match initial(place) {
-                _ if !assumed => Fact::Nothing,
-                Some(value) if !matches!(place.ty, Type::User(_)) => {
-                    if in_loop {
-                        Fact::Assumed(value)
-                    } else {
-                        Fact::Is(value)
-                    }
-                }
-                _ if in_loop => Fact::Nothing,
-                _ => Fact::Initial,
-            });
-        }
         Self {
             places,
             list,
@@ -154,7 +154,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             env,
             trail: Vec::new(),
             learned: Vec::new(),
-            copies: Copies::none(places.len()),
+            copies: Copies::default(),
             lists: Vec::new(),
             tells_all: false,
             excluding: &[],
@@ -178,7 +178,7 @@ impl<'e, 'm> Engine<'e, 'm> {
     }
 
     pub(super) fn note(&mut self, place: PlaceId, fact: Fact) {
-        for copy in &self.copies.of[place.0] {
+        for copy in self.copies.of.get(place.0).into_iter().flatten() {
             if self.env[copy.0] == Fact::Copy(place) {
                 self.trail.push((*copy, Fact::Copy(place)));
                 self.env[copy.0] = match self.env[place.0] {
@@ -321,7 +321,7 @@ impl<'e, 'm> Engine<'e, 'm> {
         if breaks {
             body.pop();
         }
-        if Effects::of_all(&body).leaves {
+        if body.iter().any(leaves) {
             return Err(Lost);
         }
         if self.tells_all {
@@ -421,9 +421,7 @@ impl<'e, 'm> Engine<'e, 'm> {
                 out.push(Statement::Call(*action, self.fold(phase), args));
             }
             Statement::Loop { .. } => {
-                for place in &*Effects::of(statement).writes {
-                    self.note(*place, Fact::Nothing);
-                }
+                each_written(std::slice::from_ref(statement), &mut |place| self.note(place, Fact::Nothing));
                 out.push(statement.clone());
             }
             Statement::Break | Statement::Mark(_) | Statement::Fence(_) => out.push(statement.clone()),

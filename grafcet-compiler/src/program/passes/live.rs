@@ -2,7 +2,7 @@
 
 use super::super::build::not;
 use super::super::{Expr, PlaceId, Statement, Write};
-use super::uses::{Effects, each_read, is_pure};
+use super::uses::{each_asked, each_read, is_pure};
 
 /// A set of places, one bit each: a search that asks for a thousand transitions has as many live in each of its ifs.
 #[derive(Clone, PartialEq)]
@@ -151,9 +151,7 @@ impl<'l> Live<'l> {
                 if idle && !run.writes.iter().any(wanted) {
                     return false;
                 }
-                for place in &*Effects::of(statement).reads {
-                    self.now.put(*place, true);
-                }
+                each_asked(std::slice::from_ref(statement), &mut |place| self.now.put(place, true));
                 true
             }
             Statement::Break => {
@@ -165,9 +163,7 @@ impl<'l> Live<'l> {
                 true
             }
             other => {
-                for place in &*Effects::of(other).reads {
-                    self.now.put(*place, true);
-                }
+                each_asked(std::slice::from_ref(other), &mut |place| self.now.put(place, true));
                 true
             }
         }

@@ -22,7 +22,7 @@ use super::dead::read_after;
 use super::engine::{End, Fact, Leaf, Tree};
 use super::live::{Live, Places};
 use super::split::each_leaf;
-use super::uses::{Effects, replaced};
+use super::uses::{Effects, is_read_in, replaced};
 use crate::model::StepId;
 
 /// The ways of one cycle.
@@ -112,7 +112,7 @@ fn begun_behind<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>, since: P
 fn asks(after: &Places, leaf: &Leaf<'_>, since: PlaceId) -> bool {
     let mut body = leaf.body.clone();
     Live::after(after).sweep(&mut body);
-    Effects::of_all(&body).reads.contains(&since)
+    is_read_in(&body, since)
 }
 
 /// A copy of the state in front, and behind the beginning of a time where it differs.

@@ -25,7 +25,7 @@ use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, 
 use super::many::complete;
 use super::split::merged;
 use super::store::writes_state;
-use super::uses::{Effects, blocks_mut, is_pure, same};
+use super::uses::{blocks_mut, is_pure, is_read_in, is_written_in, same, writes_to};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -147,7 +147,7 @@ fn begins<'s, 'm>(behind: &'s [Statement<'m>], state: PlaceId) -> Option<(PlaceI
     };
     match (&**was, &**now) {
         (Expr::Place(was), Expr::Place(now)) if *now == state && otherwise.is_empty() => {
-            (!Effects::of_all(begins).writes.contains(&state)).then_some((*was, begins))
+            (!is_written_in(begins, state)).then_some((*was, begins))
         }
         _ => None,
     }
@@ -191,7 +191,7 @@ impl<'m> Next<'m> {
         for statement in before {
             match statement {
                 Statement::Set(place, Expr::Value(value)) if *place == self.state && to.is_none() => to = Some(*value),
-                other if Effects::of(other).writes.contains(&self.state) => return None,
+                other if writes_to(other, self.state) => return None,
                 _ => {}
             }
         }
@@ -228,7 +228,7 @@ impl<'m> Next<'m> {
 
 /// A local that nothing looks at any more.
 fn without(cycle: &mut Vec<Statement<'_>>, was: PlaceId) {
-    if !Effects::of_all(cycle).reads.contains(&was) {
+    if !is_read_in(cycle, was) {
         cycle.retain(|statement| !matches!(statement, Statement::Set(place, _) if *place == was));
     }
 }

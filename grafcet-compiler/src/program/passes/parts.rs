@@ -13,7 +13,7 @@
 
 use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Role, Statement};
-use super::uses::{Effects, each_read, is_pure, mentions};
+use super::uses::{Effects, each_read, each_written, is_pure, mentions};
 use crate::sorted::Set;
 
 /// Some statements, and the regions they concern.
@@ -50,7 +50,7 @@ pub(super) fn spread<'m>(
                 written.insert(place);
             }
             other => {
-                written.extend(Effects::of(&other).writes.iter().copied());
+                each_written(std::slice::from_ref(&other), &mut |place| _ = written.insert(place));
                 out.push(other);
             }
         }
@@ -139,8 +139,10 @@ fn keys(places: &[PlaceInfo<'_>], list: &[Statement<'_>], regions: &[Set<usize>]
         region
     };
     for (statement, regions) in list.iter().zip(regions) {
-        let writes = Effects::of(statement).writes;
-        let decides = writes.iter().any(|place| matches!(places[place.0].role, Role::State(_)));
+        let mut decides = false;
+        each_written(std::slice::from_ref(statement), &mut |place| {
+            decides |= matches!(places[place.0].role, Role::State(_));
+        });
         let [first, rest @ ..] = &regions[..] else { continue };
         for other in rest.iter().filter(|_| decides) {
             let (a, b) = (find(&group, *first), find(&group, *other));

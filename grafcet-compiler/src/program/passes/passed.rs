@@ -14,7 +14,7 @@
 //! Needs: no arm asks for the time once it has begun it anew.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::uses::{Effects, blocks_mut, replaced, rewrite};
+use super::uses::{Effects, blocks_mut, is_read_in, replaced, rewrite};
 
 /// From so many arms on it pays.
 const ARMS: usize = 2;
@@ -53,7 +53,7 @@ fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, sinc
     };
     let Some(at) = block.iter().position(asks) else { return };
     let Statement::Match(_, arms, otherwise) = &mut block[at] else { return };
-    if Effects::of_all(otherwise).reads.contains(&since) || arms.iter().any(|(_, body)| !asks_first(body, since)) {
+    if is_read_in(otherwise, since) || arms.iter().any(|(_, body)| !asks_first(body, since)) {
         return;
     }
     let passed = PlaceId(places.len());
@@ -82,14 +82,14 @@ fn is_time(expr: &Expr<'_>, since: PlaceId) -> bool {
 }
 
 fn count(arms: &[Arm<'_>], since: PlaceId) -> usize {
-    arms.iter().filter(|(_, body)| Effects::of_all(body).reads.contains(&since)).count()
+    arms.iter().filter(|(_, body)| is_read_in(body, since)).count()
 }
 
 /// Whether nothing reads a time that some way has written before.
 fn asks_first(body: &[Statement<'_>], since: PlaceId) -> bool {
     for (at, statement) in body.iter().enumerate() {
         let effects = Effects::of(statement);
-        if effects.writes.contains(&since) && Effects::of_all(&body[at + 1..]).reads.contains(&since) {
+        if effects.writes.contains(&since) && is_read_in(&body[at + 1..], since) {
             return false;
         }
         let inner = match statement {

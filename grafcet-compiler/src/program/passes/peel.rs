@@ -15,7 +15,7 @@
 use super::super::build::all;
 use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
 use super::fold::initial;
-use super::uses::{Effects, is_pure, mentions};
+use super::uses::{Effects, each_read, each_written, is_pure, leaves, mentions, writes_to};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
@@ -54,8 +54,8 @@ fn counters(places: &[PlaceInfo<'_>], body: &[Statement<'_>], before: &Effects) 
         };
         let info = &places[place.0];
         let begins = !info.is_field && initial(info) == Some(Value::Int(0)) && !before.writes.contains(place);
-        let others = body.iter().enumerate().any(|(other, one)| other != at && Effects::of(one).writes.contains(place));
-        if raises && begins && !others {
+        let others = || body.iter().enumerate().any(|(other, one)| other != at && writes_to(one, *place));
+        if raises && begins && !others() {
             counters.push(*place);
         }
     }
@@ -86,7 +86,7 @@ fn peeled<'m>(places: &[PlaceInfo<'m>], body: &mut Vec<Statement<'m>>, counters:
 /// Without the question whether this is the first round.
 fn in_first<'m>(statement: &Statement<'m>, counters: &[PlaceId]) -> Option<Statement<'m>> {
     let Statement::If(condition @ Expr::All(parts), then, otherwise) = statement else { return None };
-    if !otherwise.is_empty() || !is_pure(condition) || Effects::of_all(then).leaves {
+    if !otherwise.is_empty() || !is_pure(condition) || then.iter().any(leaves) {
         return None;
     }
     let asks = |part: &Expr<'_>| match part {
@@ -104,9 +104,14 @@ fn in_first<'m>(statement: &Statement<'m>, counters: &[PlaceId]) -> Option<State
 /// Whether each round sets a local to the same.
 fn is_alike(places: &[PlaceInfo<'_>], body: &[Statement<'_>], at: usize) -> bool {
     let Statement::Set(place, value) = &body[at] else { return false };
-    let others = body.iter().enumerate().filter(|(other, _)| *other != at);
-    let mut rest = Effects::default();
-    others.for_each(|(_, one)| rest.add(one));
-    let stays = !rest.writes.iter().any(|write| mentions(value, *write)) && !mentions(value, *place);
-    !places[place.0].is_field && is_pure(value) && stays && !rest.writes.contains(place)
+    if places[place.0].is_field || !is_pure(value) || mentions(value, *place) {
+        return false;
+    }
+    let mut fixed = vec![*place];
+    each_read(value, &mut |read| fixed.push(read));
+    let mut stays = true;
+    for others in [&body[..at], &body[at + 1..]] {
+        each_written(others, &mut |written| stays &= !fixed.contains(&written));
+    }
+    stays
 }

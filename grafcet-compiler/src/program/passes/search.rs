@@ -21,14 +21,14 @@
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::{is_seen, read_after};
 use super::early::Early;
-use super::engine::{End, Engine, Fact, Lost, Tree};
+use super::engine::{End, Engine, Fact, Lost, Tree, beginning};
 use super::flat::flat;
 use super::live::{Live, Places};
 use super::share;
 use super::sparse::{Index, States};
 use super::split::{each_leaf, meet, merged};
 use super::told::{self, Told};
-use super::uses::{Effects, blocks_mut};
+use super::uses::{Effects, blocks_mut, is_written_in, writes_to};
 use crate::sorted::Set;
 
 /// More ways from one state than this are too many.
@@ -75,7 +75,7 @@ impl<'m> Search<'m> {
         let at = list.iter().position(|statement| matches!(statement, Statement::Loop { .. }))?;
         let behind = list.split_off(at + 1);
         let Some(Statement::Loop { rounds, body }) = list.pop() else { return None };
-        let writes = |list: &[Statement<'m>]| Effects::of_all(list).writes.contains(&state);
+        let writes = |list: &[Statement<'m>]| is_written_in(list, state);
         let loops = |list: &[Statement<'m>]| list.iter().any(|one| matches!(one, Statement::Loop { .. }));
         if writes(&list) || writes(&behind) || loops(&behind) || loops(&body) {
             return None;
@@ -215,7 +215,7 @@ impl<'m> Search<'m> {
     }
 
     fn may_follow(&self, statement: &Statement<'m>) -> bool {
-        !matches!(statement, Statement::Mark(_)) && !Effects::of(statement).writes.contains(&self.state)
+        !matches!(statement, Statement::Mark(_)) && !writes_to(statement, self.state)
     }
 
     /// What a round does in each state, and what is known where the loop is left.
@@ -228,7 +228,8 @@ impl<'m> Search<'m> {
     ) -> Result<(Vec<Option<Tree<'m>>>, Vec<Option<Vec<Fact>>>), Lost> {
         let places = &program.places;
         let index = Index::of(places, &self.body, self.state, None, assumed, &self.points).ok_or(Lost)?;
-        let mut engine = Engine::new(places, (&self.body, &index), self.state, &self.points, carried, assumed, true);
+        let env = beginning(places, assumed, true);
+        let mut engine = Engine::new(places, (&self.body, &index), self.state, &self.points, carried, env);
         engine.excluding = &program.search.excluding;
         let mut ends: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
@@ -293,8 +294,8 @@ impl<'m> Search<'m> {
         let places = &program.places;
         let index = Index::whole(places.len(), self.behind.len(), &self.points);
         // Nothing is known of what the loop has written but what it is left with.
-        let nothing = vec![false; places.len()];
-        let mut engine = Engine::new(places, (&self.behind, &index), self.state, &self.points, &[], &nothing, false);
+        let nothing = vec![Fact::Nothing; places.len()];
+        let mut engine = Engine::new(places, (&self.behind, &index), self.state, &self.points, &[], nothing);
         let mut touched = Effects::of_all(&self.before);
         touched.add_all(&self.body);
         for (index, place) in places.iter().enumerate() {

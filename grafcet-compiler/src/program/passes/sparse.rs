@@ -5,7 +5,7 @@
 
 use super::super::{Expr, PlaceId, PlaceInfo, Statement, Value};
 use super::fold::initial;
-use super::uses::{Effects, is_pure, mentions};
+use super::uses::{each_written, is_pure, is_written_in, mentions, writes_to};
 use crate::model::{Id, StepId};
 use crate::sorted::Set;
 
@@ -173,10 +173,10 @@ impl Index {
 fn writes(statement: &Statement<'_>, place: PlaceId) -> bool {
     if let Statement::If(_, leaving, otherwise) = statement {
         if matches!(leaving.last(), Some(Statement::Break)) {
-            return Effects::of_all(otherwise).writes.contains(&place);
+            return is_written_in(otherwise, place);
         }
     }
-    Effects::of(statement).writes.contains(&place)
+    writes_to(statement, place)
 }
 
 /// The locals on which the state that is written depends, the user's conditions not looked into.
@@ -370,10 +370,10 @@ impl<'s, 'm> Sparse<'s, 'm> {
                 matters
             }
             other => {
-                for place in &*Effects::of(other).writes {
+                each_written(std::slice::from_ref(other), &mut |place| {
                     self.copies[place.0] = false;
                     self.may[place.0] = self.may[place.0].take().map(|_| Support::all());
-                }
+                });
                 guard.clone()
             }
         }

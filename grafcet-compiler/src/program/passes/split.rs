@@ -21,7 +21,7 @@ use super::super::build::not;
 use super::super::{Arm, Deadline, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
 use super::alike;
 use super::dead::read_after;
-use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
+use super::engine::{End, Engine, Fact, Leaf, Lost, Tree, beginning};
 use super::flat::flat;
 use super::fold::initial;
 use super::live::Live;
@@ -31,7 +31,7 @@ use super::share;
 use super::sparse::{Index, States};
 use super::starting;
 use super::told;
-use super::uses::{Effects, mentions, same_block};
+use super::uses::{mentions, same_block, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -105,7 +105,8 @@ impl Split {
     ) -> Result<Vec<Option<Tree<'m>>>, Lost> {
         let places = &program.places;
         let with_first = [&self.fields[..], &[self.first]].concat();
-        let mut engine = Engine::new(places, (list, index), self.state, &self.points, &with_first, assumed, false);
+        let env = beginning(places, assumed, false);
+        let mut engine = Engine::new(places, (list, index), self.state, &self.points, &with_first, env);
         let mut known: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         known[0] = Some(self.fields.iter().map(|place| at_start(program, *place, options)).collect());
         let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
@@ -212,7 +213,7 @@ impl Split {
         }
         let may = |statement: &Statement<'m>| {
             let marks = matches!(statement, Statement::Mark(_));
-            !marks && !Effects::of(statement).writes.contains(&self.state)
+            !marks && !writes_to(statement, self.state)
         };
         let mut acts: Vec<Arm<'m>> = Vec::new();
         for (point, mut ends) in self.points.all.iter().zip(leaves) {

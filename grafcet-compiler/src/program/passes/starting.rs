@@ -17,7 +17,7 @@
 use super::super::build::{all, compare, not, yes};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Value, Wait};
 use super::fold::initial;
-use super::uses::{Effects, blocks, each_read, mentions, replaced, unset};
+use super::uses::{Effects, blocks, each_read, is_read_in, mentions, replaced, unset, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -162,7 +162,7 @@ fn told<'m>(program: &Program<'m>) -> Option<(PlaceId, Expr<'m>)> {
     for (at, statement) in program.cycle.iter().enumerate() {
         match statement {
             Statement::Set(place, value) if *place == settled && told.is_none() => told = Some((at, value.clone())),
-            other if Effects::of(other).writes.contains(&settled) => return None,
+            other if writes_to(other, settled) => return None,
             _ => {}
         }
     }
@@ -262,6 +262,6 @@ fn asked(program: &Program<'_>, passed: PlaceId, state: PlaceId) -> Option<Vec<V
         });
         asked.extend(of?.iter().map(|step| Value::Step(Some(*step))));
     }
-    let others = mentions(&deadline.at_once, passed) || Effects::of_all(&program.cycle).reads.contains(&passed);
+    let others = mentions(&deadline.at_once, passed) || is_read_in(&program.cycle, passed);
     (!others).then_some(asked)
 }

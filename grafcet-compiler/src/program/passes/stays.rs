@@ -20,13 +20,16 @@
 
 use super::super::build::any;
 use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
-use super::uses::{Effects, blocks, blocks_mut};
+use super::uses::{Effects, blocks, blocks_mut, is_written_in, writes_to};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 {
         return;
     }
     for at in 0..program.cycle.len() {
+        if !matches!(program.cycle[at], Statement::Loop { .. }) {
+            continue;
+        }
         let behind = Effects::of_all(&program.cycle[at + 1..]);
         let Statement::Loop { body, .. } = &mut program.cycle[at] else { continue };
         unasked(body);
@@ -72,7 +75,7 @@ fn gathers<'s, 'm>(statement: &'s Statement<'m>) -> Option<(PlaceId, &'s [Expr<'
 /// Whether `next` begins as `value` and becomes another one only where it is told that something moves.
 fn is_told(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, next: PlaceId) -> bool {
     let Some(copy) = front.iter().position(|one| is_copy(one, next, value)) else { return false };
-    let sets = |list: &[Statement<'_>], place: PlaceId| Effects::of_all(list).writes.contains(&place);
+    let sets = |list: &[Statement<'_>], place: PlaceId| is_written_in(list, place);
     let is_off =
         |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == moves);
     let Some(off) = front.iter().rposition(is_off) else { return false };
@@ -95,7 +98,7 @@ fn tells(block: &[Statement<'_>], moves: PlaceId, next: PlaceId) -> bool {
     });
     let each = |one: &Statement<'_>| match one {
         Statement::Set(place, _) => *place != next,
-        Statement::Run(_) => !Effects::of(one).writes.contains(&next),
+        Statement::Run(_) => !writes_to(one, next),
         other => blocks(other).into_iter().all(|block| tells(block, moves, next)),
     };
     let clean = |one: &Statement<'_>| {

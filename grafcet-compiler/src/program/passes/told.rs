@@ -19,7 +19,7 @@ use super::engine::{End, Fact, Tree};
 use super::fold::initial;
 use super::sparse::States;
 use super::split::each_leaf;
-use super::uses::{Effects, blocks, each_read, mentions, unset};
+use super::uses::{Effects, blocks, each_read, mentions, reads_from, unset};
 use crate::sorted::{Map, Set};
 
 /// The trees know at the end of each way what the fields hold.
@@ -330,7 +330,7 @@ fn is_read(body: &[Statement<'_>], place: PlaceId, field: PlaceId) -> bool {
         Statement::If(..) | Statement::Part(..) => {
             blocks(statement).into_iter().any(|body| is_read(body, place, field))
         }
-        other => Effects::of(other).reads.contains(&place),
+        other => reads_from(other, place),
     })
 }
 

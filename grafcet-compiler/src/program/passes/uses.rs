@@ -74,6 +74,123 @@ pub(super) fn is_plain(expr: &Expr<'_>) -> bool {
     }
 }
 
+/// Every place that statements read, wherever they read it.
+pub(super) fn each_asked(statements: &[Statement<'_>], each: &mut dyn FnMut(PlaceId)) {
+    for statement in statements {
+        match statement {
+            Statement::Part(_, body) | Statement::Loop { body, .. } => each_asked(body, each),
+            Statement::Set(_, value) => each_read(value, each),
+            Statement::If(condition, then, otherwise) => {
+                each_read(condition, each);
+                each_asked(then, each);
+                each_asked(otherwise, each);
+            }
+            Statement::Match(place, arms, otherwise) => {
+                each(*place);
+                for (_, body) in arms {
+                    each_asked(body, each);
+                }
+                each_asked(otherwise, each);
+            }
+            Statement::Run(run) => {
+                for (_, value) in &run.binds {
+                    each_read(value, each);
+                }
+                // It may leave it as it is.
+                each_written(std::slice::from_ref(statement), each);
+            }
+            Statement::Call(_, phase, args) => {
+                each_read(phase, each);
+                for arg in args {
+                    each_read(arg, each);
+                }
+            }
+            Statement::Break | Statement::Mark(_) | Statement::Fence(_) => {}
+        }
+    }
+}
+
+/// Every place that statements write, on whatever way.
+pub(super) fn each_written(statements: &[Statement<'_>], each: &mut dyn FnMut(PlaceId)) {
+    for statement in statements {
+        match statement {
+            Statement::Part(_, body) | Statement::Loop { body, .. } => each_written(body, each),
+            Statement::Set(place, _) => each(*place),
+            Statement::If(_, then, otherwise) => {
+                each_written(then, each);
+                each_written(otherwise, each);
+            }
+            Statement::Match(_, arms, otherwise) => {
+                for (_, body) in arms {
+                    each_written(body, each);
+                }
+                each_written(otherwise, each);
+            }
+            Statement::Run(run) => {
+                for write in &run.writes {
+                    each(write.to);
+                    write.noted.into_iter().for_each(&mut *each);
+                }
+            }
+            Statement::Call(..) | Statement::Break | Statement::Mark(_) | Statement::Fence(_) => {}
+        }
+    }
+}
+
+/// Whether statements read a place.
+pub(super) fn is_read_in(statements: &[Statement<'_>], place: PlaceId) -> bool {
+    let mut found = false;
+    each_asked(statements, &mut |read| found |= read == place);
+    found
+}
+
+/// Whether statements write a place.
+pub(super) fn is_written_in(statements: &[Statement<'_>], place: PlaceId) -> bool {
+    let mut found = false;
+    each_written(statements, &mut |written| found |= written == place);
+    found
+}
+
+/// Whether a statement writes a place.
+pub(super) fn writes_to(statement: &Statement<'_>, place: PlaceId) -> bool {
+    is_written_in(std::slice::from_ref(statement), place)
+}
+
+/// Whether a statement reads a place.
+pub(super) fn reads_from(statement: &Statement<'_>, place: PlaceId) -> bool {
+    is_read_in(std::slice::from_ref(statement), place)
+}
+
+/// Whether a statement may end the block it stands in. A loop takes in what leaves it.
+pub(super) fn leaves(statement: &Statement<'_>) -> bool {
+    match statement {
+        Statement::Break => true,
+        Statement::Part(_, body) => body.iter().any(leaves),
+        Statement::If(_, then, otherwise) => then.iter().chain(otherwise).any(leaves),
+        Statement::Match(_, arms, otherwise) => {
+            arms.iter().any(|(_, body)| body.iter().any(leaves)) || otherwise.iter().any(leaves)
+        }
+        _ => false,
+    }
+}
+
+/// Whether a statement tells somebody outside something, or asks somebody who may answer differently each time.
+fn is_outside(statement: &Statement<'_>) -> bool {
+    match statement {
+        Statement::Part(_, body) | Statement::Loop { body, .. } => body.iter().any(is_outside),
+        Statement::Set(_, value) => !is_pure(value),
+        Statement::If(condition, then, otherwise) => {
+            !is_pure(condition) || then.iter().chain(otherwise).any(is_outside)
+        }
+        Statement::Match(_, arms, otherwise) => {
+            arms.iter().any(|(_, body)| body.iter().any(is_outside)) || otherwise.iter().any(is_outside)
+        }
+        Statement::Run(run) => run.code.statements.is_none() || run.binds.iter().any(|(_, value)| !is_pure(value)),
+        Statement::Call(..) | Statement::Mark(_) | Statement::Fence(_) => true,
+        Statement::Break => false,
+    }
+}
+
 /// What a statement does to the rest.
 #[derive(Default)]
 pub(super) struct Effects {
@@ -104,61 +221,12 @@ impl Effects {
         }
     }
 
-    fn ask(&mut self, expr: &Expr<'_>) {
-        self.outside |= !is_pure(expr);
-        each_read(expr, &mut |place| _ = self.reads.insert(place));
-    }
-
     pub(super) fn add(&mut self, statement: &Statement<'_>) {
-        match statement {
-            Statement::Part(_, body) => self.add_all(body),
-            Statement::Set(place, value) => {
-                self.ask(value);
-                self.writes.insert(*place);
-            }
-            Statement::If(condition, then, otherwise) => {
-                self.ask(condition);
-                self.add_all(then);
-                self.add_all(otherwise);
-            }
-            Statement::Match(place, arms, otherwise) => {
-                self.reads.insert(*place);
-                for (_, body) in arms {
-                    self.add_all(body);
-                }
-                self.add_all(otherwise);
-            }
-            Statement::Loop { body, .. } => {
-                // A loop takes in what leaves it.
-                let leaves = self.leaves;
-                self.add_all(body);
-                self.leaves = leaves;
-            }
-            Statement::Break => self.leaves = true,
-            Statement::Run(run) => {
-                for (_, value) in &run.binds {
-                    self.ask(value);
-                }
-                for write in &run.writes {
-                    // It may leave it as it is.
-                    self.reads.insert(write.to);
-                    self.writes.insert(write.to);
-                    if let Some(noted) = write.noted {
-                        self.reads.insert(noted);
-                        self.writes.insert(noted);
-                    }
-                }
-                self.outside |= run.code.statements.is_none();
-            }
-            Statement::Call(_, phase, args) => {
-                self.ask(phase);
-                for arg in args {
-                    self.ask(arg);
-                }
-                self.outside = true;
-            }
-            Statement::Mark(_) | Statement::Fence(_) => self.outside = true,
-        }
+        let one = std::slice::from_ref(statement);
+        each_asked(one, &mut |place| _ = self.reads.insert(place));
+        each_written(one, &mut |place| _ = self.writes.insert(place));
+        self.outside |= is_outside(statement);
+        self.leaves |= leaves(statement);
     }
 
     /// Whether two statements that follow each other may change places.

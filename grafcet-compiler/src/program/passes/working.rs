@@ -20,7 +20,7 @@
 use super::super::build::yes;
 use super::super::{Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
 use super::tables::goes_by_table;
-use super::uses::{Effects, blocks, blocks_mut, replaced, rewrite};
+use super::uses::{blocks, blocks_mut, is_written_in, replaced, rewrite, writes_to};
 
 /// From so many states on one takes two bytes.
 const BYTE: usize = 256;
@@ -30,8 +30,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let Some(at) = program.cycle.iter().position(is_search) else { return };
     let Some(state) = program.place(Role::State(0)).filter(|_| program.regions.len() == 1) else { return };
     let [Statement::Loop { body, .. }, rest @ ..] = &program.cycle[at..] else { return };
-    let Some(last) = body.iter().rposition(|one| Effects::of(one).writes.contains(&state)) else { return };
-    if Effects::of_all(rest).writes.contains(&state) {
+    let Some(last) = body.iter().rposition(|one| writes_to(one, state)) else { return };
+    if is_written_in(rest, state) {
         return;
     }
     // LLVM copies what the steps do into the ways to them, unless it has to read the state anew. A table leaves it nothing to copy into, but

@@ -26,7 +26,7 @@ use ways::Ways;
 use super::super::build::{all, choose, compare, not};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::fold::initial;
-use super::uses::{Effects, blocks, blocks_mut, mentions, replaced, same};
+use super::uses::{Effects, blocks, blocks_mut, mentions, reads_from, replaced, same};
 use crate::model::StepId;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -297,7 +297,7 @@ fn asks_behind(statements: &[Statement<'_>], since: PlaceId, begun: &mut bool) -
                 }
                 own(false, &blocks);
             }
-            other => own(Effects::of(other).reads.contains(&since), &[]),
+            other => own(reads_from(other, since), &[]),
         }
     }
     asks

@@ -35,7 +35,7 @@ use super::fold::initial;
 use super::live::{Live, Places};
 use super::search::opened;
 use super::several::{Env, Several};
-use super::uses::{Effects, same};
+use super::uses::{Effects, leaves, same};
 
 use turn::{Free, Turn};
 
@@ -91,7 +91,7 @@ impl<'m> Cycle<'m> {
             return None;
         }
         let mut head = opened(&body);
-        let at = head.iter().position(|one| Effects::of(one).leaves)?;
+        let at = head.iter().position(leaves)?;
         let tail = head.split_off(at + 1);
         let Some(Statement::If(Expr::Not(changes), leaving, otherwise)) = head.pop() else { return None };
         let changes = match *changes {
@@ -102,7 +102,7 @@ impl<'m> Cycle<'m> {
             return None;
         }
         let copies = copies(&states, &head, &changes)?;
-        if !tail.iter().all(|one| !Effects::of(one).leaves || takes_back(one, &copies)) {
+        if !tail.iter().all(|one| !leaves(one) || takes_back(one, &copies)) {
             return None;
         }
         let moves = local(places, "moves");
@@ -112,7 +112,7 @@ impl<'m> Cycle<'m> {
             turn.push(Statement::Set(moves, Expr::Any(vec![Expr::Place(moves), part.clone()])));
         }
         let mut end = vec![Statement::If(not(Expr::Place(moves)), leaving, Vec::new())];
-        let bounded = tail.iter().any(|one| Effects::of(one).leaves);
+        let bounded = tail.iter().any(leaves);
         for statement in tail {
             let ready = !bounded && is_nothing_where_all_rests(&statement, &changes);
             if ready && end.iter().skip(1).all(|other| Effects::of(other).may_swap(&Effects::of(&statement))) {

@@ -1,7 +1,7 @@
 //! Whose a statement is: of the regions whose states it writes, or for whose sake something is computed.
 
 use super::super::parts::{gathers, regions};
-use super::super::uses::{Effects, each_read};
+use super::super::uses::{each_read, each_written, reads_from};
 use crate::program::{Expr, PlaceId, PlaceInfo, Role, Statement};
 use crate::sorted::Set;
 
@@ -43,9 +43,12 @@ impl Groups<'_> {
         self.group[a.max(b)] = a.min(b);
     }
 
-    fn written(&self, statement: &Statement<'_>) -> Vec<usize> {
-        let writes = Effects::of(statement).writes;
-        (0..self.states.len()).filter(|region| writes.contains(&self.states[*region])).collect()
+    fn written(&self, statement: &Statement<'_>) -> Set<usize> {
+        let mut written = Set::new();
+        each_written(std::slice::from_ref(statement), &mut |place| {
+            written.extend(self.states.iter().position(|state| *state == place));
+        });
+        written
     }
 
     /// Regions that one statement writes, or that one truth decides, belong together.
@@ -91,7 +94,7 @@ impl Groups<'_> {
             if !places[place.0].is_field && gathers(statement).is_none() {
                 let mut readers = Set::new();
                 for (other, key) in list.iter().zip(keys).skip(at + 1) {
-                    if Effects::of(other).reads.contains(place) {
+                    if reads_from(other, *place) {
                         readers.insert(*key);
                     }
                 }

@@ -8,7 +8,7 @@ use super::super::parts::{Part, cut, gathers};
 use super::super::search::settle;
 use super::super::several::{Env, Several, Tie};
 use super::super::split::merged;
-use super::super::uses::{Effects, is_pure, same_block, unset};
+use super::super::uses::{Effects, is_pure, is_written_in, reads_from, same_block, unset};
 use super::behind::{Behind, Unit};
 use super::owners::owners;
 use crate::model::StepId;
@@ -34,6 +34,10 @@ pub(super) struct Turn<'t, 'p, 'm> {
     later: Vec<Set<PlaceId>>,
     /// By part: what it does to the others.
     effects: Vec<Touched>,
+    /// By part: the regions whose states it writes.
+    written: Vec<Vec<usize>>,
+    /// By part: where it decides on a region (the second) by the state of another one.
+    asking: Vec<Set<(usize, usize)>>,
     free: &'t Free,
     behind: Behind<'t>,
     left: Cell<usize>,
@@ -52,18 +56,19 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         later.pop();
         later.reverse();
         let effects = parts.iter().map(|part| Touched::by(&part.statements)).collect();
+        let written = parts.iter().map(|part| written(several, &part.statements)).collect();
+        let asking = parts.iter().map(|part| asking(several, &part.statements)).collect();
         let behind = Behind::of(free);
-        Self { several, parts, later, effects, free, behind, left: Cell::new(ENDS) }
+        Self { several, parts, later, effects, written, asking, free, behind, left: Cell::new(ENDS) }
     }
 
     /// What a state tells of what stands below it, whatever it was before: after a round, and so before the next one.
     pub(super) fn ties(&self, env: &Env, begin: &[Option<StepId>]) -> Vec<Tie> {
         let states = &self.several.states;
         let mut ties = Vec::new();
-        for (at, part) in self.parts.iter().enumerate() {
-            let written = written(self.several, part);
+        for at in 0..self.parts.len() {
             let behind: Vec<usize> = (at + 1..self.parts.len()).collect();
-            let ([region], false) = (&written[..], self.below(at, &behind).0.is_empty()) else { continue };
+            let ([region], false) = (&self.written[at][..], self.below(at, &behind).0.is_empty()) else { continue };
             for step in self.several.possible(*region) {
                 let mut env = env.clone();
                 for fact in &mut env.facts {
@@ -87,11 +92,9 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     /// None where a region moves in several parts: what stands between them would be looked at in the middle of its way.
     pub(super) fn statements(&self, env: &Env) -> Option<Vec<Statement<'m>>> {
         let mut moved = Set::new();
-        for part in &self.parts {
-            for region in written(self.several, part) {
-                if !moved.insert(region) {
-                    return None;
-                }
+        for region in self.written.iter().flatten() {
+            if !moved.insert(*region) {
+                return None;
             }
         }
         let all: Vec<usize> = (0..self.parts.len()).collect();
@@ -112,7 +115,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
             env.later.clone_from(&self.later[at]);
             let next: Vec<usize> = left.iter().rev().copied().collect();
             let (below, beside) = self.below(at, &next);
-            if let ([region], false) = (&written(self.several, part)[..], below.is_empty()) {
+            if let ([region], false) = (&self.written[at][..], below.is_empty()) {
                 // Where the others say alone what becomes of it, it does not lead.
                 let state = self.several.states[*region];
                 let given = self.several.folded(&part.statements, &env).1[state.0];
@@ -128,7 +131,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                     }
                 }
             }
-            done.push(Unit { at, statements: self.part(part, &env)? });
+            done.push(Unit { at, statements: self.part(at, &env)? });
             self.after(&part.statements, &mut env);
         }
         Some(done)
@@ -136,14 +139,11 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
 
     /// Of the parts behind a part those that ask for the state that it leads to, or are below one that does, and the others.
     fn below(&self, at: usize, next: &[usize]) -> (Vec<usize>, Vec<usize>) {
-        let mut led = written(self.several, &self.parts[at]);
+        let mut led = self.written[at].clone();
         let (mut below, mut beside): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
         for part in next {
-            let statements = &self.parts[*part].statements;
-            let asks = |region: &usize| statements.iter().any(|one| self.leads(*region, one));
-            let is_below = led.iter().any(asks);
-            if is_below {
-                led.extend(written(self.several, &self.parts[*part]));
+            if self.asking[*part].iter().any(|(region, _)| led.contains(region)) {
+                led.extend(self.written[*part].iter().copied());
                 below.push(*part);
             } else {
                 beside.push(*part);
@@ -162,23 +162,15 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                 at += 1;
             }
         }
-        if below.iter().all(|part| written(self.several, &self.parts[*part]).is_empty()) {
+        if below.iter().all(|part| self.written[*part].is_empty()) {
             below.clear();
         }
         (below, beside)
     }
 
-    /// Whether a statement decides on another region by the state to which this one leads.
-    fn leads(&self, region: usize, one: &Statement<'m>) -> bool {
-        let effects = Effects::of(one);
-        let states = &self.several.states;
-        let moves = states.iter().enumerate().any(|(other, state)| other != region && effects.writes.contains(state));
-        moves && effects.reads.contains(&states[region])
-    }
-
     /// One part by itself.
-    fn part(&self, part: &Part<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
-        let written = written(self.several, part);
+    fn part(&self, at: usize, env: &Env) -> Option<Vec<Statement<'m>>> {
+        let (part, written) = (&self.parts[at], &self.written[at]);
         let region = match written[..] {
             [region] => region,
             [] if part.regions.len() == 1 => part.regions[0],
@@ -331,10 +323,21 @@ impl Touched {
     }
 }
 
-/// The regions whose states it writes.
-fn written(several: &Several<'_, '_>, part: &Part<'_>) -> Vec<usize> {
-    let writes = Effects::of_all(&part.statements).writes;
-    (0..several.states.len()).filter(|region| writes.contains(&several.states[*region])).collect()
+/// The regions whose states some statements write.
+fn written(several: &Several<'_, '_>, list: &[Statement<'_>]) -> Vec<usize> {
+    (0..several.states.len()).filter(|region| is_written_in(list, several.states[*region])).collect()
+}
+
+/// Where a statement decides on a region (the second) by the state of another one.
+fn asking(several: &Several<'_, '_>, list: &[Statement<'_>]) -> Set<(usize, usize)> {
+    let mut found = Set::new();
+    for one in list {
+        let led = written(several, std::slice::from_ref(one));
+        for region in (0..several.states.len()).filter(|region| reads_from(one, several.states[*region])) {
+            found.extend(led.iter().filter(|other| **other != region).map(|other| (region, *other)));
+        }
+    }
+    found
 }
 
 /// Where both ways do the same, nothing is asked.

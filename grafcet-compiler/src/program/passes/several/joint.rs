@@ -6,7 +6,7 @@ use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::Index;
 use super::super::split::merged;
-use super::super::uses::{Effects, each_read};
+use super::super::uses::{Effects, each_read, writes_to};
 use super::{Env, Several, weight};
 use crate::list::List;
 use crate::program::build::not;
@@ -34,7 +34,7 @@ impl<'m> Several<'_, 'm> {
             for step in env.lists[list].iter().filter(|step| step.is_some()) {
                 let known = |other: &usize| {
                     let unknown = matches!(env.facts[self.states[*other].0], Fact::Among(_));
-                    other == region || !unknown || self.narrowed(*other, *step, &mut env.clone()).is_some()
+                    other == region || !unknown || self.narrowed(*other, *step, env).is_some()
                 };
                 if part.regions.iter().all(known) {
                     alone.push(*step);
@@ -63,7 +63,7 @@ impl<'m> Several<'_, 'm> {
         }
         env.facts[state.0] = env.among(left);
         let mut rest = self.spec(&part.statements, &env);
-        let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_)) && !Effects::of(one).writes.contains(&state);
+        let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_)) && !writes_to(one, state);
         let mut bodies = vec![&mut rest];
         for (_, body) in &mut arms {
             bodies.push(body);
@@ -90,8 +90,9 @@ impl<'m> Several<'_, 'm> {
         }
         let mut best: Option<(usize, Vec<Statement<'m>>)> = None;
         for at in found {
-            let Some(left) = self.conditions.get().checked_sub(1) else { break };
-            self.conditions.set(left);
+            if self.effort.get() == 0 {
+                break;
+            }
             let asked = self.asked_first(part.clone(), at, env);
             let weight = weight(&asked);
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {

@@ -36,7 +36,7 @@ use super::live::{Live, Places};
 use super::parts::{Part, parts, spread};
 use super::share;
 use super::sparse::{Index, States};
-use super::uses::{Effects, mentions};
+use super::uses::{Effects, each_asked, each_written, is_read_in, mentions, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -63,8 +63,9 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
 }
 
-/// More conditions of several regions than this are not asked first.
-const CONDITIONS: usize = 256;
+/// How often all statements and places of a program may be gone through, so to speak, for conditions of several regions that are asked first: each of
+/// them doubles what is behind it. The most that any chart of this repository takes that profits from it is 80.
+const EFFORT: usize = 100;
 
 /// What is known where some statements begin.
 #[derive(Clone)]
@@ -88,8 +89,8 @@ pub(super) struct Several<'p, 'm> {
     pub(super) full: Vec<bool>,
     /// What a state tells of another region.
     pub(super) ties: Vec<Tie>,
-    /// So many conditions of several regions may still be asked first: each of them doubles what is behind it.
-    conditions: Cell<usize>,
+    /// So many statements and places may still be looked at for conditions that are asked first.
+    effort: Cell<usize>,
 }
 
 /// Where one region has this state, another one has that.
@@ -131,7 +132,7 @@ impl<'p, 'm> Several<'p, 'm> {
             read_after,
             full,
             ties: Vec::new(),
-            conditions: Cell::new(CONDITIONS),
+            effort: Cell::new(EFFORT * (weight(&program.cycle) + program.places.len())),
         })
     }
 
@@ -159,9 +160,7 @@ impl<'p, 'm> Several<'p, 'm> {
         let mut others = vec![(Vec::new(), rest)];
         let mut cycle = hoist::out_of(self.places, head, Some(&mut start), &mut others);
         rest = others.pop()?.1;
-        let may = |statement: &Statement<'m>| {
-            !matches!(statement, Statement::Mark(_)) && !Effects::of(statement).writes.contains(&head)
-        };
+        let may = |statement: &Statement<'m>| !matches!(statement, Statement::Mark(_)) && !writes_to(statement, head);
         let behind = share::ends(&mut [&mut start, &mut rest], &may);
         let starting = (vec![Value::Start(begin)], start);
         cycle.push(match &mut rest[..] {
@@ -240,10 +239,8 @@ impl<'p, 'm> Several<'p, 'm> {
     }
 
     fn engine<'e>(&'e self, list: &'e [Statement<'m>], index: &'e Index, region: usize, env: &Env) -> Engine<'e, 'm> {
-        let assumed = vec![false; self.places.len()];
         let (state, points) = (self.states[region], &self.points[region]);
-        let mut engine = Engine::new(self.places, (list, index), state, points, &[], &assumed, false);
-        engine.env.clone_from(&env.facts);
+        let mut engine = Engine::new(self.places, (list, index), state, points, &[], env.facts.clone());
         engine.lists.clone_from(&env.lists);
         for (place, fact) in env.facts.iter().enumerate() {
             if let Fact::Copy(of) = fact {
@@ -264,6 +261,7 @@ impl<'p, 'm> Several<'p, 'm> {
     }
 
     pub(super) fn spec(&self, list: &[Statement<'m>], env: &Env) -> Vec<Statement<'m>> {
+        self.effort.set(self.effort.get().saturating_sub(list.len() + self.places.len()));
         let (body, _) = self.folded(list, env);
         let body = self.swept(body, env);
         let off = |place: PlaceId| env.facts[place.0] == Fact::Is(Value::Bool(false));
@@ -272,7 +270,7 @@ impl<'p, 'm> Several<'p, 'm> {
         let mut later = vec![env.later.clone()];
         for part in parts.iter().rev() {
             let mut reads = later.last().cloned().unwrap_or_default();
-            reads.extend(Effects::of_all(&part.statements).reads.iter().copied());
+            each_asked(&part.statements, &mut |place| _ = reads.insert(place));
             later.push(reads);
         }
         let mut env = env.clone();
@@ -287,7 +285,7 @@ impl<'p, 'm> Several<'p, 'm> {
     }
 
     fn part(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
-        let decides = self.decides(&part);
+        let decides = self.decides(&part.statements);
         match part.regions[..] {
             [] => part.statements,
             _ if !decides && part.statements.len() < 2 => part.statements,
@@ -297,8 +295,11 @@ impl<'p, 'm> Several<'p, 'm> {
         }
     }
 
-    fn decides(&self, part: &Part<'m>) -> bool {
-        Effects::of_all(&part.statements).writes.iter().any(|place| self.states.contains(place))
+    /// Whether statements write the state of a region.
+    fn decides(&self, statements: &[Statement<'m>]) -> bool {
+        let mut found = false;
+        each_written(statements, &mut |place| found |= self.states.contains(&place));
+        found
     }
 }
 
@@ -329,8 +330,8 @@ impl Env {
 fn join_wide(parts: &mut Vec<Part<'_>>, places: &[PlaceInfo<'_>]) {
     let mut at = 0;
     while at < parts.len() {
-        let is_state = |place: &PlaceId| matches!(places[place.0].role, Role::State(_));
-        let decides = Effects::of_all(&parts[at].statements).writes.iter().any(is_state);
+        let mut decides = false;
+        each_written(&parts[at].statements, &mut |place| decides |= matches!(places[place.0].role, Role::State(_)));
         while decides && parts[at].regions.len() > 1 && at + 1 < parts.len() {
             let next = &parts[at + 1];
             if next.regions.is_empty() || !next.regions.is_subset(&parts[at].regions) {
@@ -345,7 +346,7 @@ fn join_wide(parts: &mut Vec<Part<'_>>, places: &[PlaceInfo<'_>]) {
 
 fn asks_first(program: &Program<'_>, cycle: &[Statement<'_>]) -> bool {
     let first = program.place(Role::First);
-    first.is_some_and(|first| Effects::of_all(cycle).reads.contains(&first))
+    first.is_some_and(|first| is_read_in(cycle, first))
 }
 
 /// A truth that is only there to be copied to a place is that place.

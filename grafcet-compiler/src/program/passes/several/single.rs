@@ -5,7 +5,7 @@ use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
-use super::super::uses::Effects;
+use super::super::uses::writes_to;
 use super::{Env, Several, Tie};
 use crate::model::{Id, StepId};
 use crate::program::{Arm, PlaceId, Statement, Type, Value};
@@ -52,7 +52,7 @@ impl<'m> Several<'_, 'm> {
     ) -> Option<(Vec<(Value, Tree<'m>)>, Vec<Among>)> {
         let (points, state) = (&self.points[region], self.states[region]);
         let mut index = Index::whole(self.places.len(), list.len(), points);
-        let writes = |one: &Statement<'m>| Effects::of(one).writes.iter().any(|place| self.states.contains(place));
+        let writes = |one: &Statement<'m>| self.decides(std::slice::from_ref(one));
         if let Some(last) = list.iter().rposition(writes) {
             index.last = last;
             index.forks = deciding(self.places, &list[..=last], &self.states);
@@ -66,13 +66,12 @@ impl<'m> Several<'_, 'm> {
         for step in states {
             let mut known = vec![(state, Fact::Is(Value::Step(*step)))];
             for other in (0..self.states.len()).filter(|other| *other != region) {
-                let mut beside = env.clone();
                 let tie = |tie: &&Tie| tie.above == (region, *step) && tie.below.0 == other;
                 let tied =
                     self.ties.iter().find(tie).filter(|_| matches!(env.facts[self.states[other].0], Fact::Among(_)));
                 if let Some(tie) = tied {
                     known.push((self.states[other], Fact::Is(Value::Step(tie.below.1))));
-                } else if let Some(fact) = self.narrowed(other, *step, &mut beside) {
+                } else if let Some(fact) = self.narrowed(other, *step, env) {
                     known.push((self.states[other], fact));
                 }
             }
@@ -86,12 +85,11 @@ impl<'m> Several<'_, 'm> {
     }
 
     /// What is known of a region beside a step of another one, where that is a single state.
-    pub(super) fn narrowed(&self, region: usize, step: Option<StepId>, env: &mut Env) -> Option<Fact> {
+    pub(super) fn narrowed(&self, region: usize, step: Option<StepId>, env: &Env) -> Option<Fact> {
         let Fact::Among(list) = env.facts[self.states[region].0] else { return None };
-        let mut left = env.lists[list].clone();
-        left.retain(|other| self.may_meet(step, *other));
-        match left[..] {
-            [one] => Some(Fact::Is(Value::Step(one))),
+        let mut left = env.lists[list].iter().filter(|other| self.may_meet(step, **other));
+        match (left.next(), left.next()) {
+            (Some(one), None) => Some(Fact::Is(Value::Step(*one))),
             _ => None,
         }
     }
@@ -111,7 +109,7 @@ impl<'m> Several<'_, 'm> {
             collect(tree, points, &mut leaves);
             kept.push(*value);
         }
-        let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_)) && !Effects::of(one).writes.contains(&state);
+        let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_)) && !writes_to(one, state);
         let mut acts: Vec<Arm<'m>> = Vec::new();
         for (point, mut ends) in points.all.iter().zip(leaves) {
             if !ends.is_empty() {
