@@ -73,4 +73,4 @@ pub(crate) const FIXED: [&str; 8] = ["--charts", "220", "--cycles", "500", "--se
 const PRINTED: [&str; 7] = ["--printed", "--charts", "12", "--cycles", "200", "--seed", "79"];
 
 /// The same of programs, naive and after passes: as many charts as a minute is enough for.
-const PROGRAMS: [&str; 7] = ["--program", "--charts", "1000", "--cycles", "200", "--seed", "78"];
+const PROGRAMS: [&str; 7] = ["--program", "--charts", "2500", "--cycles", "200", "--seed", "78"];

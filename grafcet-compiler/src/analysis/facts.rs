@@ -22,6 +22,7 @@ pub struct Facts<'m> {
     /// Found out when somebody asks.
     searches: OnceCell<Searches>,
     exclusive: OnceCell<Vec<bool>>,
+    left_and_entered: OnceCell<Set<StepId>>,
 }
 
 impl<'m> Facts<'m> {
@@ -39,6 +40,7 @@ impl<'m> Facts<'m> {
             top_down: hierarchy::top_down(model),
             searches: OnceCell::new(),
             exclusive: OnceCell::new(),
+            left_and_entered: OnceCell::new(),
         }
     }
 
@@ -46,6 +48,13 @@ impl<'m> Facts<'m> {
     #[must_use]
     pub fn exclusive(&self, model: &Model) -> &[bool] {
         self.exclusive.get_or_init(|| exclusive::exclusive(model))
+    }
+
+    /// Steps that one transition may take away while another gives them back in the same evolution.
+    #[must_use]
+    pub fn left_and_entered(&self, model: &Model) -> &Set<StepId> {
+        let find = || exclusive::left_and_entered(model, &self.concurrency, self.exclusive(model));
+        self.left_and_entered.get_or_init(find)
     }
 
     /// What is known of the searches of this model for stability.

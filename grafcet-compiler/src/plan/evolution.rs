@@ -1,6 +1,6 @@
 //! How one evolution is computed: which transitions are looked at together, and where.
 
-use crate::analysis::{Concurrency, Facts};
+use crate::analysis::Facts;
 use crate::list::List;
 use crate::model::{Id, Model, PartialId, StepId, TransitionId};
 use crate::sorted::Set;
@@ -32,7 +32,7 @@ impl Evolution {
             }
         }
         let exclusive = facts.exclusive(model).to_vec();
-        let entered_last = entered_last(model, &facts.concurrency, &exclusive);
+        let entered_last = facts.left_and_entered(model).clone();
         Self { partials: facts.top_down.clone(), owned, exclusive, contests, entered_last }
     }
 }
@@ -66,14 +66,4 @@ fn root(group: &[usize], mut item: usize) -> usize {
         item = group[item];
     }
     item
-}
-
-/// Steps that one transition may take away while another gives them back: activation wins (rule 5 of IEC 60848).
-fn entered_last(model: &Model, concurrency: &Concurrency, exclusive: &[bool]) -> Set<StepId> {
-    let kept = model.transitions.values().flat(|transition| {
-        let overlapping = |step: &&StepId| transition.sources.contains(step) && !exclusive[step.index()];
-        transition.targets.iter().filter(overlapping)
-    });
-    let entered_twice = model.steps.ids().filter(|step| concurrency.activated_while_active(*step));
-    entered_twice.and(kept.copied()).collect()
 }

@@ -173,6 +173,8 @@ struct Lower<'r, 'm> {
     elapsed: Option<PlaceId>,
     reading: Option<PlaceId>,
     settled: Option<PlaceId>,
+    /// Nothing happens because an edge is gone: it can but let something clear, and what clears changes the situation.
+    edges_only_help: bool,
     /// `sfc`: a block or an assignment has begun or ended; in a chart that uses time.
     turned: Option<PlaceId>,
     /// A block of the user that is not looked into has run, or an action was called: nobody sees what it has changed. In a chart that uses

@@ -1,7 +1,7 @@
 //! What is stored, and how it is called.
 
 use super::{Clocks, Lower, Set};
-use crate::analysis::{Facts, combinational};
+use crate::analysis::{Facts, combinational, edges_only_help};
 use crate::list::List;
 use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
 use crate::plan::Regions;
@@ -59,6 +59,8 @@ impl<'r, 'm> Lower<'r, 'm> {
             elapsed: None,
             reading: None,
             settled: None,
+            edges_only_help: edges_only_help(model)
+                && (!model.is_grafcet() || facts.left_and_entered(model).is_empty()),
             turned: None,
             opaque_ran: None,
             timers: Vec::new(),

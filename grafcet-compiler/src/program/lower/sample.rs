@@ -2,7 +2,7 @@
 
 use super::Lower;
 use super::view::Moment;
-use crate::analysis::{combinational, edges_only_help};
+use crate::analysis::combinational;
 use crate::list::{List, PushAll};
 use crate::model::{DelayId, EdgeId, Effect, Id, Name, Place, Read, VarId};
 use crate::program::build::{add, all, any, at_least, choose, compare, differ, no, not, when, zero};
@@ -80,8 +80,7 @@ impl<'m> Lower<'_, 'm> {
     /// Whether there is an edge that something asks for: it is gone in the next cycle.
     pub(super) fn has_edges(&self) -> Expr<'m> {
         let mut found = Vec::new();
-        // Where an edge can but let something clear, nothing happens because it is gone.
-        if edges_only_help(self.model) {
+        if self.edges_only_help {
             return no();
         }
         let reads = self.model.expressions().concat();
