@@ -78,6 +78,8 @@ pub struct Program<'m> {
     pub places: Vec<PlaceInfo<'m>>,
     /// The groups of steps that share a place, in the order of [`Role::State`].
     pub regions: Vec<Vec<StepId>>,
+    /// By region: one of its steps is active before and after each evolution.
+    pub full: Vec<bool>,
     /// By step: which others may be active beside it, before and after each evolution; empty where all steps share a place.
     pub beside: Vec<Set<StepId>>,
     pub search: Search,

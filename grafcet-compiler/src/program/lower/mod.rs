@@ -111,6 +111,7 @@ fn program<'m>(
     let Cycles { own: cycle, forced } = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
     let deadline = lower.deadline();
     let regions: Vec<Vec<StepId>> = regions.all().iter().map(|region| region.steps.clone()).list();
+    let full = lower.regions.all().iter().map(|region| !region.may_be_empty).list();
     let mut beside = Vec::new();
     if regions.len() > 1 {
         for step in model.steps.ids() {
@@ -132,7 +133,18 @@ fn program<'m>(
         is_one_evolution: searches.ends.always(),
         excluding,
     };
-    Ok(Program { model, places: lower.places, regions, beside, search, cycle, forced, plants: Vec::new(), deadline })
+    Ok(Program {
+        model,
+        places: lower.places,
+        regions,
+        full,
+        beside,
+        search,
+        cycle,
+        forced,
+        plants: Vec::new(),
+        deadline,
+    })
 }
 
 /// The cycle of a chart, and the one that is forced, where the chart has it.

@@ -51,7 +51,7 @@ pub(super) fn complete(program: &Program<'_>, state: PlaceId, statement: &mut St
     for step in &program.regions[region] {
         missing.push(Value::Step(Some(*step)));
     }
-    if program.regions.len() > 1 {
+    if !program.full[region] && program.regions.len() > 1 {
         missing.push(Value::Step(None));
     }
     if let Initial::Value(start @ Value::Start(_)) = program.places[state.0].initial {

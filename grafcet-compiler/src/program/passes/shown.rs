@@ -185,7 +185,8 @@ impl<'m> Shown<'_, 'm> {
 fn is_nothing_left(program: &Program<'_>, place: PlaceId, out: &Out) -> bool {
     let Role::State(region) = program.places[place.0].role else { return false };
     let is_out = |value: Value| out.contains(&(place, value));
-    program.regions[region].iter().all(|step| is_out(Value::Step(Some(*step)))) && is_out(Value::Step(None))
+    let is_none_out = program.full[region] || is_out(Value::Step(None));
+    is_none_out && program.regions[region].iter().all(|step| is_out(Value::Step(Some(*step))))
 }
 
 /// The field has been written.

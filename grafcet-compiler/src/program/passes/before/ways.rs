@@ -63,7 +63,7 @@ impl Ways {
         for region in &before.regions {
             let start = initial(&program.places[region.state.0]);
             let mut all: Vec<Value> = start.into_iter().filter(|value| matches!(value, Value::Start(_))).collect();
-            all.push(Value::Step(None));
+            all.extend((!program.full[region.number]).then_some(Value::Step(None)));
             all.extend(program.regions[region.number].iter().map(|step| Value::Step(Some(*step))));
             way.possible.push(Some(all));
         }

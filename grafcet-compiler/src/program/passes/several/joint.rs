@@ -61,14 +61,22 @@ impl<'m> Several<'_, 'm> {
             beside.retain(|step| left.iter().any(|one| self.may_meet(*one, *step)));
             env.facts[self.states[*other].0] = env.among(beside);
         }
+        let is_left = !left.is_empty();
         env.facts[state.0] = env.among(left);
-        let mut rest = self.spec(&part.statements, &env);
+        let mut rest = if is_left { self.spec(&part.statements, &env) } else { Vec::new() };
         let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_)) && !writes_to(one, state);
-        let mut bodies = vec![&mut rest];
+        let mut bodies = Vec::new();
+        bodies.extend(is_left.then_some(&mut rest));
         for (_, body) in &mut arms {
             bodies.push(body);
         }
         let behind = share::ends(&mut bodies, &may);
+        if let [Statement::Match(place, others, otherwise)] = &mut rest[..] {
+            if *place == state {
+                arms.append(others);
+                rest = std::mem::take(otherwise);
+            }
+        }
         let mut all = vec![Statement::Match(state, merged(arms), rest)];
         all.extend(behind);
         Some(all)

@@ -122,7 +122,6 @@ impl<'p, 'm> Several<'p, 'm> {
             points.push(States::of(begin, steps));
         }
         let first = program.place(Role::First)?;
-        let full = vec![false; states.len()];
         Some(Self {
             places: &program.places,
             beside: &program.beside,
@@ -130,7 +129,7 @@ impl<'p, 'm> Several<'p, 'm> {
             points,
             first,
             read_after,
-            full,
+            full: program.full.clone(),
             ties: Vec::new(),
             effort: Cell::new(EFFORT * (weight(&program.cycle) + program.places.len())),
         })
