@@ -55,6 +55,9 @@ impl Resolver<'_> {
         match target {
             Target::Name(name) => self.place(name, "output", "bool").map(Effect::Control),
             Target::Assign { name, value } => {
+                if self.scope.get(name).is_none() {
+                    self.refuse_target(name);
+                }
                 let value = expr::resolve(value, self);
                 self.place(name, "var", "u16 = 0").map(|place| Effect::Assign(place, value))
             }
@@ -80,14 +83,9 @@ impl Resolver<'_> {
         }
         let message = match self.scope.get(name) {
             Some(Meaning::Value(Name::Output(_) | Name::Var(_))) => return None,
-            Some(Meaning::Value(Name::Input(_))) => {
-                format!("`{name}` is an input, which the plant writes; an action writes an `output` or a `var`")
-            }
-            Some(Meaning::Value(Name::Param(_))) => {
-                format!("`{name}` is a param, which the recipe sets; an action writes an `output` or a `var`")
-            }
-            Some(Meaning::Let(_)) => {
-                format!("`{name}` is a named condition, which nothing writes; an action writes an `output` or a `var`")
+            Some(Meaning::Value(Name::Input(_) | Name::Param(_)) | Meaning::Let(_)) => {
+                self.refuse_target(name);
+                return None;
             }
             Some(Meaning::Action(id)) => {
                 let params = self.model.actions[id].params.iter().map(|(p, _)| p.to_string()).list();
@@ -97,12 +95,28 @@ impl Resolver<'_> {
                 format!("`{name}` is a step; an action writes an `output` or a `var`")
             }
             None => {
-                self.scope.unknown_name(name, &format!("{wanted} {name}: {ty};"), self.sink);
+                let wanted = format!("{wanted} {name}: {ty};");
+                self.scope.wish(name, &wanted);
+                self.scope.unknown_name(name, &wanted, self.sink);
                 return None;
             }
         };
         self.sink.rule(&rules::WRONG_TARGET, &[], vec![(name.into(), message)]);
         None
+    }
+
+    /// Reports that an action writes what is no output and no variable. Of a name that is not declared it takes note: who
+    /// reports it asks for a variable.
+    pub(super) fn refuse_target(&mut self, name: &Ident) {
+        let what = match self.scope.get(name) {
+            Some(Meaning::Value(Name::Input(_))) => "an input, which the plant writes",
+            Some(Meaning::Value(Name::Param(_))) => "a param, which the recipe sets",
+            Some(Meaning::Let(_)) => "a named condition, which nothing writes",
+            None => return self.scope.wish(name, &format!("var {name}: u16 = 0;")),
+            _ => return,
+        };
+        let message = format!("`{name}` is {what}; an action writes an `output` or a `var`");
+        self.sink.rule(&rules::WRONG_TARGET, &[], vec![(name.into(), message)]);
     }
 
     fn call(&mut self, name: &Ident, args: &[syn::Expr]) -> Option<Effect> {

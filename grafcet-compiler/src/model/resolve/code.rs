@@ -16,7 +16,10 @@ use crate::visit::{self, Locals, Visit};
 pub(super) fn resolve(block: &Block, resolver: &mut Resolver<'_>) -> Code {
     let mut writes = Writes::new(resolver);
     visit::block(&mut writes, &mut block.clone());
-    let Writes { places, unsure, by_reference, .. } = writes;
+    let Writes { places, unsure, by_reference, others, .. } = writes;
+    for name in others {
+        resolver.refuse_target(&name);
+    }
 
     let mut lower = Lower::new(resolver);
     let mut tokens = block.clone();
@@ -134,11 +137,20 @@ struct Writes<'r, 's> {
     unsure: Vec<(Place, String)>,
     /// A pattern borrows mutably what it is compared with.
     by_reference: bool,
+    /// What is assigned or borrowed mutably and is no place.
+    others: Vec<Ident>,
 }
 
 impl<'r, 's> Writes<'r, 's> {
     fn new(resolver: &'r Resolver<'s>) -> Self {
-        Self { resolver, locals: Locals::default(), places: Vec::new(), unsure: Vec::new(), by_reference: false }
+        Self {
+            resolver,
+            locals: Locals::default(),
+            places: Vec::new(),
+            unsure: Vec::new(),
+            by_reference: false,
+            others: Vec::new(),
+        }
     }
 
     fn place(&self, name: &Ident) -> Option<Place> {
@@ -157,8 +169,13 @@ impl<'r, 's> Writes<'r, 's> {
     }
 
     fn note_name(&mut self, name: &Ident) {
-        if let Some(place) = self.place(name).filter(|place| !self.places.contains(place)) {
-            self.places.push(place);
+        match self.place(name) {
+            Some(place) if self.places.contains(&place) => {}
+            Some(place) => self.places.push(place),
+            None if self.locals.contains(name) => {}
+            // An assignment to a `let` is refused wherever it stands.
+            None if matches!(self.resolver.scope.get(name), Some(Meaning::Let(_))) => {}
+            None => self.others.push(name.clone()),
         }
     }
 

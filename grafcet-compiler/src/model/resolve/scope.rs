@@ -49,6 +49,15 @@ pub(super) struct Scope {
     broken: Vec<Ident>,
     /// The plants of the call, at which the chart cannot look.
     plants: Vec<String>,
+    /// The declarations that names lack, at all their places what the first of them asks for.
+    wishes: Map<String, Wish>,
+}
+
+/// How a name that is not declared should be.
+struct Wish {
+    declaration: String,
+    /// An action writes it.
+    written: bool,
 }
 
 /// Qualifiers and words of the notation that would make it ambiguous.
@@ -195,14 +204,26 @@ impl Scope {
         sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
     }
 
+    /// Takes note of the declaration that a name lacks which an action writes.
+    pub(super) fn wish(&mut self, name: &Ident, wanted: &str) {
+        self.wishes.or_insert_with(key(name), || Wish { declaration: wanted.to_owned(), written: true });
+    }
+
     /// Reports a name in an expression or after a qualifier that is not declared.
-    pub(super) fn unknown_name(&self, name: &Ident, wanted: &str, sink: &mut Sink) {
+    pub(super) fn unknown_name(&mut self, name: &Ident, wanted: &str, sink: &mut Sink) {
         if self.is_broken(name) {
             return;
         }
-        let hint = self
-            .suggest(name, |m| matches!(m, Meaning::Value(_) | Meaning::Let(_) | Meaning::Action(_)))
-            .unwrap_or_else(|| declaration(name, wanted));
+        let unwritten = || Wish { declaration: wanted.to_owned(), written: false };
+        let Wish { declaration: wanted, written } = self.wishes.or_insert_with(key(name), unwritten);
+        let (wanted, written) = (wanted.clone(), *written);
+        // What stands for it has to be something that an action may write.
+        let fits: fn(Meaning) -> bool = if written {
+            |m| matches!(m, Meaning::Value(Name::Output(_) | Name::Var(_)))
+        } else {
+            |m| matches!(m, Meaning::Value(_) | Meaning::Let(_) | Meaning::Action(_))
+        };
+        let hint = self.suggest(name, fits).unwrap_or_else(|| declaration(name, &wanted));
         let message = format!("no name `{name}` is declared; {hint}");
         sink.rule(&rules::UNKNOWN_NAME, &[], vec![(name.into(), message)]);
     }
