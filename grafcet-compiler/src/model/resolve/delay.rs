@@ -30,12 +30,23 @@ impl Lower<'_, '_> {
                 }
             }
         }
+        // `Heat/5s`
+        if self.is_step(&division.left) && matches!(&*division.right, syn::Expr::Lit(_)) {
+            if let Some(on) = self.resolver.time_of(&division.right) {
+                let (step, time) = (super::text::of(&division.left), super::text::of(&division.right));
+                let message = format!("the time stands in front of its step: `{time}/{step}`");
+                self.resolver.sink.notation(Mark::of(division), message);
+                return Some(DelayParts { on, of: (*division.left).clone(), off: TimeRef::Ticks(0) });
+            }
+        }
         if let syn::Expr::Unary(unary) = &*division.left {
             if self.resolver.time_of(&unary.expr).is_some() {
                 let (operator, whole) = (super::text::of(unary.op), super::text::of(division));
                 let delay = whole.strip_prefix(&operator).unwrap_or(&whole).trim().to_owned();
-                let message =
-                    format!("Rust reads this as `({}) / …`; write `{operator}({delay})`", super::text::of(unary));
+                let message = match unary.op {
+                    syn::UnOp::Neg(_) => format!("no time is below zero; write `{delay}`"),
+                    _ => format!("Rust reads this as `({}) / …`; write `{operator}({delay})`", super::text::of(unary)),
+                };
                 self.resolver.sink.notation(Mark::of(division), message);
                 return self.resolver.time_of(&unary.expr).map(|on| DelayParts {
                     on,
@@ -63,6 +74,14 @@ impl Lower<'_, '_> {
             // `soack/Soak`, too.
             None => {
                 let name = single_name(&division.left)?;
+                if self.is_step(&division.right) && self.is_value(&name) {
+                    self.resolver.not_waited_for(&name, Some(&super::text::of(without_parentheses(&division.right))));
+                    return Some(DelayParts {
+                        on: TimeRef::Ticks(0),
+                        of: (*division.right).clone(),
+                        off: TimeRef::Ticks(0),
+                    });
+                }
                 if self.is_known(&name) || !looks_like_a_variable(&name) || !self.is_step(&division.right) {
                     return None;
                 }
@@ -84,6 +103,11 @@ impl Lower<'_, '_> {
 
     fn is_known(&self, name: &Ident) -> bool {
         self.locals.contains(name) || self.resolver.scope.get(name).is_some()
+    }
+
+    /// Whether `name` is an input, output, variable or param.
+    fn is_value(&self, name: &Ident) -> bool {
+        !self.locals.contains(name) && matches!(self.resolver.scope.get(name), Some(Meaning::Value(_)))
     }
 
     fn is_step(&self, expr: &syn::Expr) -> bool {

@@ -1,5 +1,6 @@
 //! Times: literals counted in the chart's clock unit, names of type `time`.
 
+use proc_macro2::Ident;
 use syn::Lit;
 
 use super::Resolver;
@@ -7,7 +8,7 @@ use super::expr::{single_name, time_name};
 use super::scope::Meaning;
 use crate::ast;
 use crate::diagnostic::{Mark, rules};
-use crate::model::{Qualifier, TimeRef};
+use crate::model::{Name, Qualifier, TimeRef};
 use crate::parse::time_literal;
 
 /// The default unit of the time argument of `cycle`.
@@ -109,13 +110,26 @@ impl Resolver<'_> {
                     }
                 };
                 found.unwrap_or_else(|| {
-                    let message =
-                        format!("`{name}` is not a time; declare it `param {name}: time = 5s;` or write a literal");
-                    self.sink.rule(&rules::BAD_TIME, &[], vec![(Mark::from(name), message)]);
+                    self.not_waited_for(name, None);
                     TimeRef::Ticks(0)
                 })
             }
         }
+    }
+
+    /// Reports a name that a chart cannot wait for, in front of `/step` or after a qualifier.
+    pub(super) fn not_waited_for(&mut self, name: &Ident, step: Option<&str>) {
+        let message = match self.scope.get(name) {
+            Some(meaning @ Meaning::Value(value @ (Name::Input(_) | Name::Output(_)))) if self.model.is_time(value) => {
+                let mend = step.map_or_else(String::new, |step| format!("; write `{step}.T >= {name}`"));
+                let kind = meaning.kind();
+                format!(
+                    "`{name}` is {kind}, and what is waited for is a literal, a `param` or a `var` of type `time`{mend}"
+                )
+            }
+            _ => format!("`{name}` is not a time; declare it `param {name}: time = 5s;` or write a literal"),
+        };
+        self.sink.rule(&rules::BAD_TIME, &[], vec![(Mark::from(name), message)]);
     }
 }
 
