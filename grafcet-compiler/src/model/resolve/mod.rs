@@ -259,6 +259,10 @@ impl Resolver<'_> {
 
     fn force(&mut self, step: StepId, force: &ast::Force) {
         self.only_in_grafcet(force.mark, "forcing orders");
+        if self.model.dialect == Dialect::Sfc {
+            // It has no partial grafcets either.
+            return self.lose();
+        }
         let Some(target) = self.find_partial(&force.partial) else { return self.lose() };
         let order = match &force.order {
             ast::ForceOrder::Steps(names) => ForceOrder::Steps(self.forced_steps(names, target)),
