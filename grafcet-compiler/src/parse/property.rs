@@ -12,7 +12,15 @@ pub(super) fn parse(input: &mut Input, word: &str, attrs: Attrs, sink: &mut Sink
     input.bump();
     let keyword = input.last();
     let property = match word {
-        "never" => Property::Never { attrs, keyword, condition: condition::parse(input, "what must never hold")? },
+        "never" => {
+            let condition = condition::parse(input, "what must never hold")?;
+            if input.at("=>") {
+                let message =
+                    "after `never` nothing follows from anything: write `always a => !b;`, or `never a && b;`";
+                return Err(input.error(message));
+            }
+            Property::Never { attrs, keyword, condition }
+        }
         "always" => {
             let first = condition::parse(input, "what must always hold")?;
             if input.eat("=>") {
