@@ -55,6 +55,11 @@ fn names(input: &mut Input) -> Result<Vec<Ident>> {
 
 fn colon(input: &mut Input, names: &[Ident], keyword: Option<&Ident>) -> Result<()> {
     if input.at(":=") || !input.eat(":") {
+        if let (true, Some(word)) =
+            (input.word().is_some(), names.last().filter(|name| *name == "mut" || *name == "ref"))
+        {
+            return Err(Error::new(word.span(), format!("no declaration of a chart has `{word}`; remove it")));
+        }
         let names = names.iter().map(ToString::to_string).list().join(", ");
         let keyword = keyword.map_or_else(|| "var".to_owned(), ToString::to_string);
         let message = format!("expected `:` and a type, as in `{keyword} {names}: bool;`, found {}", input.found());

@@ -14,7 +14,47 @@ pub(super) fn all(mut input: Input) -> Option<Error> {
     if notes.is_empty() && start.at_word("if") {
         notes.push((start.span().into(), "a condition stands for itself; remove `if`".to_owned()));
     }
+    if notes.is_empty() {
+        notes.extend(single(start));
+    }
     Error::several(notes)
+}
+
+/// `a > 3 & b < 5`: to Rust `a > (3 & b) < 5`, which it does not read.
+fn single(mut input: Input) -> Option<(Mark, String)> {
+    let (mut compared, mut operand, mut sign) = (false, false, None);
+    for _ in 0..100 {
+        if input.is_empty() || input.at(";") || input.at("=>") {
+            return None;
+        }
+        if let Some(behind) = input.behind("&&").or_else(|| input.behind("||")).or_else(|| input.behind(",")) {
+            (input, compared, operand, sign) = (behind, false, false, None);
+            continue;
+        }
+        if let Some(inside) = input.delimiter().and_then(|delimiter| input.enter(delimiter)) {
+            let found = single(inside);
+            if found.is_some() {
+                return found;
+            }
+            operand = true;
+            continue;
+        }
+        if let Some(compares) = ["<=", ">=", "==", "!=", "<", ">"].iter().find_map(|sign| input.behind(sign)) {
+            if sign.is_some() {
+                return sign;
+            }
+            (input, compared, operand) = (compares, true, false);
+            continue;
+        }
+        if let (true, Some(bits @ ('&' | '|'))) = (compared && operand, input.punct().map(proc_macro2::Punct::as_char))
+        {
+            let message = format!("between conditions stands `{bits}{bits}`; `{bits}` binds closer than a comparison");
+            sign = Some((input.span().into(), message));
+        }
+        operand = input.punct().is_none();
+        input.bump();
+    }
+    None
 }
 
 /// Whether something stands here that an expression can begin with.
@@ -86,8 +126,9 @@ fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
         let unit = if unit == "min" { "m" } else { unit };
         return Some((behind.next(), format!("number and unit stand together: write `{number}{unit}`")));
     }
-    let signs: [(&str, bool, &str); 5] = [
+    let signs: [(&str, bool, &str); 6] = [
         ("<>", true, "`<>` is written `!=`"),
+        ("=<", true, "`=<` is written `<=`"),
         (":=", true, "a condition compares with `==`"),
         ("/", !operand, "a negation is written `!a`"),
         ("^", !operand, "an edge is written `rising(a)` or `falling(a)`"),

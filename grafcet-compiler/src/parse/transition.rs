@@ -78,6 +78,12 @@ fn next_clearing(inside: &mut Input, actions: &mut Vec<Clearing>, sink: &mut Sin
 
 fn one_clearing(inside: &mut Input) -> Result<Clearing> {
     let start = *inside;
+    // `level => 3`
+    if inside.literal().is_some() {
+        return Err(
+            inside.error("behind `=>` stands an action on clearing, such as `n = 0`; a comparison is written `>=`")
+        );
+    }
     let target = target::parse(inside)?;
     Ok(Clearing { mark: inside.since(&start), target })
 }
