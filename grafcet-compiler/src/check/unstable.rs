@@ -111,6 +111,9 @@ fn through_the_same(model: &Model, circles: Vec<Circle>, known: &[Circle]) -> Ve
     all.into_iter().map(|(_, circle)| circle).list()
 }
 
+/// Of how many partial grafcets a message names the circles.
+const SHOWN: usize = 4;
+
 /// `` `A → B → A` ``, one for each partial grafcet: `` `A → B → A` with `X → Y → X` ``.
 fn text(model: &Model, circle: &Circle) -> String {
     let side = |steps: &[StepId]| match steps {
@@ -130,5 +133,12 @@ fn text(model: &Model, circle: &Circle) -> String {
         parts.push_all(own.last().map(|(_, targets)| side(targets)));
         format!("`{}`", parts.join(" → "))
     };
-    partials.iter().map(path).list().join(" with ")
+    let paths = partials.iter().map(path).list();
+    // Who mends the first ones sees the others.
+    match paths.get(..SHOWN) {
+        Some(first) if paths.len() > SHOWN + 1 => {
+            format!("{} and those of {} more partial grafcets", first.join(" with "), paths.len() - SHOWN)
+        }
+        _ => paths.join(" with "),
+    }
 }
