@@ -193,3 +193,30 @@ fn a_part_that_is_written_in_another_way_is_written() {
     assert_eq!(outputs.list, [1, 7, 4]);
     assert_eq!(outputs.other, 2);
 }
+
+/// Declares a local that is called as its caller says.
+macro_rules! count {
+    ($name:ident) => {
+        let mut $name: u16 = 1;
+    };
+}
+
+grafcet! {
+    sfc Declared {
+        input go: bool;
+        input x: u16;
+        output q: u16 = 0;
+
+        initial step Idle;
+        // What the macro declares hides the input.
+        step Count { P1 { count!(x); x += 4; q = x; } }
+        Idle -[go]-> Count -[x > 1]-> Idle;
+    }
+}
+
+#[test]
+fn a_macro_may_declare_what_a_block_writes() {
+    let mut chart = Declared::new();
+    let mut cycle = |go| chart.cycle(&DeclaredInputs { go, x: 0 }).q;
+    assert_eq!([cycle(false), cycle(true), cycle(true)], [0, 5, 5]);
+}

@@ -16,8 +16,8 @@ use crate::visit::{self, Locals, Visit};
 pub(super) fn resolve(block: &Block, resolver: &mut Resolver<'_>) -> Code {
     let mut writes = Writes::new(resolver);
     visit::block(&mut writes, &mut block.clone());
-    let Writes { places, unsure, by_reference, others, .. } = writes;
-    for name in others {
+    let Writes { places, unsure, by_reference, others, handed, .. } = writes;
+    for name in others.into_iter().filter(|name| !handed.contains(name)) {
         resolver.refuse_target(&name);
     }
 
@@ -139,6 +139,8 @@ struct Writes<'r, 's> {
     by_reference: bool,
     /// What is assigned or borrowed mutably and is no place.
     others: Vec<Ident>,
+    /// What macros are handed: they may declare a variable of that name.
+    handed: Vec<Ident>,
 }
 
 impl<'r, 's> Writes<'r, 's> {
@@ -150,6 +152,7 @@ impl<'r, 's> Writes<'r, 's> {
             unsure: Vec::new(),
             by_reference: false,
             others: Vec::new(),
+            handed: Vec::new(),
         }
     }
 
@@ -199,7 +202,10 @@ impl<'r, 's> Writes<'r, 's> {
         for tree in tokens {
             match tree {
                 proc_macro2::TokenTree::Group(group) => self.note_tokens(group.stream(), call),
-                proc_macro2::TokenTree::Ident(name) => self.note_unsure(&name, call),
+                proc_macro2::TokenTree::Ident(name) => {
+                    self.note_unsure(&name, call);
+                    self.handed.push(name);
+                }
                 _ => {}
             }
         }
