@@ -449,10 +449,10 @@ impl Cell {
                     after_0 = __CellRegion0::Ready;
                 }
             }
-            if after_0 == __CellRegion0::Stopped {
-                after_1 = __CellRegion1::NONE;
-            } else if after_0 == __CellRegion0::Restart {
+            if after_0 == __CellRegion0::Restart {
                 after_1 = __CellRegion1::Idle;
+            } else if after_0 == __CellRegion0::Stopped {
+                after_1 = __CellRegion1::NONE;
             } else if !((before_0 == __CellRegion0::Stopped)
                 || (before_0 == __CellRegion0::Restart))
             {

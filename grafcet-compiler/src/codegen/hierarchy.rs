@@ -25,8 +25,8 @@ impl Cx<'_> {
         };
         let forces: Vec<_> = self.model.forces.values().filter(|force| force.target == partial).list();
         if !forces.is_empty() {
-            // A11: an order that is there after the evolution shows in it.
-            let orders = forces.iter().map(|force| {
+            // A11: an order that is there after the evolution shows in it; of two that broken assumptions allow, the last in the source (A14).
+            let orders = forces.iter().rev().map(|force| {
                 let ordered = is_active(force.step);
                 let situation = match &force.order {
                     ForceOrder::Steps(steps) => self.set_situation(partial, steps),
