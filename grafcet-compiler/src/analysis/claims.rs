@@ -145,7 +145,8 @@ impl<'m> Claims<'m> {
         let (triggers, sought) = sought(model, logic, &known);
         let watched: Vec<&Tree> = claimed.iter().and(&sought).map(|(_, tree)| tree).list();
         let exploration = Exploration::assuming(model, &limits, &watched, never);
-        let alone = |tree: &Tree| alone::watched(model, &limits, tree, never, claimed.len() == 1);
+        let mut left = Left { limits, open: 0 };
+        let mut alone = |tree: &Tree| left.of(|limits| alone::watched(model, limits, tree, never, claimed.len() == 1));
         for (index, (property, violation)) in claimed.iter().enumerate() {
             let answer = exploration.watched(index);
             let asked = matches!(answer, Answer::Unknown(_)).then(|| alone(violation));
@@ -207,6 +208,28 @@ impl<'m> Claims<'m> {
             let again = matches!(answer, Answer::Unknown(_)) && has_watched;
             again.then(|| alone(false)).flatten().unwrap_or(answer)
         })
+    }
+}
+
+/// So many questions alone may take all of the budget and stay open; each further one of which that is so halves what the next may take. All of
+/// them together take no more than two besides.
+const OPEN: u32 = 6;
+
+/// What is left of the budget for one question alone.
+struct Left {
+    limits: Limits,
+    open: u32,
+}
+
+impl Left {
+    fn of(&mut self, ask: impl FnOnce(&Limits) -> Option<Answer>) -> Option<Answer> {
+        let less = self.open.saturating_sub(OPEN);
+        let work = self.limits.work.checked_shr(less).unwrap_or_default();
+        let answer = ask(&Limits { work, ..self.limits });
+        let is_open = matches!(answer, Some(Answer::Unknown(Doubt::Budget(_) | Doubt::Inputs { .. })));
+        self.open += u32::from(is_open);
+        // What less than the budget leaves open tells nothing.
+        answer.filter(|_| !is_open || less == 0)
     }
 }
 

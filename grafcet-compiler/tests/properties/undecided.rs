@@ -1,6 +1,9 @@
 //! What is not followed and what is too much proves nothing, neither way; and only what a property asks for decides about it.
 
 use std::fmt::Write as _;
+use std::fs;
+use std::sync::LazyLock;
+use std::time::Instant;
 
 use crate::judged::said;
 use crate::{beside, fails, holds};
@@ -166,4 +169,50 @@ fn what_an_action_has_changed_is_not_known_any_more() {
         "grafcet C { input a: bool; var n: u8; initial step A; step B { P1 n = next(n); } step C; step E; \
          A -[n == 0 && a]-> B; B -[n != 0]-> C; B -[n == 0]-> E; C -[!a]-> A; E -[!a]-> A; }",
     );
+}
+
+/// Seconds that a check of six branches takes, with so many properties of which two at most are decided.
+fn seconds(properties: usize) -> f64 {
+    let (branches, steps) = (6, 6);
+    let mut chart =
+        "sfc Many { input start, a0, a1, a2, a3, a4, a5, a6, a7, a8, a9: bool; output q: bool; initial step I; "
+            .to_owned();
+    let heads: Vec<String> = (0..branches).map(|branch| format!("B{branch}_0")).collect();
+    let ends: Vec<String> = (0..branches).map(|branch| format!("B{branch}_{}", steps - 1)).collect();
+    for branch in 0..branches {
+        for step in 0..steps {
+            _ = write!(chart, "step B{branch}_{step} {{ {} q; }} ", ["S", "R", "N"][step % 3]);
+            if step + 1 < steps {
+                let (on, off) = ((branch * 2 + step) % 10, (branch + 3 * step + 1) % 10);
+                _ = write!(chart, "B{branch}_{step} -[a{on} && !a{off}]-> B{branch}_{}; ", step + 1);
+            }
+        }
+    }
+    _ = write!(chart, "I -[start]-> ({}); ({}) -[!start]-> I; ", heads.join(", "), ends.join(", "));
+    for property in 0..properties {
+        let (one, other, third) = (property % 6, (property + 1) % 6, (property + 2) % 6);
+        let (first, last) = (property / 6, (property / 6 + 3) % 6);
+        _ = write!(chart, "never q && B{one}_{first}.X && B{other}_{last}.X && B{third}_{last}.X && start; ");
+    }
+    let before = processor_seconds();
+    let said = said(&format!("{chart} }}"));
+    let seconds = processor_seconds() - before;
+    let open = said.iter().filter(|one| one.starts_with("property_undecided: ")).count();
+    assert!(open + 2 >= properties, "{said:#?}");
+    seconds
+}
+
+/// What this thread has had of a processor; where the system does not tell, the clock on the wall.
+fn processor_seconds() -> f64 {
+    static BEGIN: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| BEGIN.elapsed().as_secs_f64(), |nanoseconds| nanoseconds / 1e9)
+}
+
+/// From some questions on that stay open, each halves what the next one may take.
+#[test]
+fn many_open_properties_take_little_more_than_some() {
+    let (some, many) = (seconds(6), seconds(30));
+    assert!(many < 2.0 * some, "{many:.2} s for 30, {some:.2} s for 6");
 }
