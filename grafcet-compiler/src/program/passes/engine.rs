@@ -162,6 +162,15 @@ impl<'e, 'm> Engine<'e, 'm> {
         }
     }
 
+    /// A region has one of these states.
+    pub(super) fn among(&mut self, states: Among) -> Fact {
+        if let [state] = states[..] {
+            return Fact::Is(Value::Step(state));
+        }
+        self.lists.push(states);
+        Fact::Among(self.lists.len() - 1)
+    }
+
     /// The ways from a point, with what is known there.
     pub(super) fn from(&mut self, point: usize, known: &[(PlaceId, Fact)], ways: usize) -> Result<Tree<'m>, Lost> {
         self.ways = ways;

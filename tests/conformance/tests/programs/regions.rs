@@ -45,6 +45,28 @@ fn an_output_that_shows_a_field_is_set_once() {
     }
 }
 
+/// A partial grafcet that an order empties is without a step where that order stands, and nowhere else: there is no arm for what lies below it there.
+#[test]
+fn what_an_order_empties_is_empty_beside_it_alone() {
+    let chart = |restart: &str| {
+        format!(
+            "grafcet Emptied {{ input stop, a, b: bool; output q: bool; \
+             partial Safety {{ initial step Run; step Stopped {{ force Modes {{}}; force Side {{}}; }} step Restart {{ {restart} }} \
+               Run -[stop]-> Stopped -[!stop]-> Restart -[true]-> Run; }} \
+             partial Modes {{ initial step Manual {{ force Side {{INIT}}; }} step Auto; Manual -[a]-> Auto -[!a]-> Manual; }} \
+             partial Side {{ initial step Free; step Busy {{ q; }} Free -[b]-> Busy -[!b]-> Free; }} }}"
+        )
+    };
+    for (restart, beside) in [("force Modes {INIT};", false), ("", true)] {
+        let model = read(&chart(restart));
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let text = program.to_string();
+        let (_, search) = text.split_once("loop").expect("a search");
+        assert_eq!(search.contains("none:"), beside, "{restart}: {text}");
+        each_left_out(&model, &storm(&["stop", "a", "b"], 200), 0);
+    }
+}
+
 /// A stop that forces two modes, one of which encloses two branches; a part beside them that looks at the branches.
 pub(super) const PLANT: &str = "grafcet Plant { input stop, go, auto, x, y, z: bool; output p, q, r, s: bool; output n: bool = false; \
      partial Safety { initial step Ready; step Stopped { force Modes {}; p; } step Restart { force Modes {INIT}; force Side {INIT}; } \

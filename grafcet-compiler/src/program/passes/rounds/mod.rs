@@ -23,6 +23,7 @@
 //! together (`parts`).
 
 mod behind;
+mod emptied;
 mod owners;
 mod turn;
 
@@ -37,6 +38,7 @@ use super::search::opened;
 use super::several::{Env, Several};
 use super::uses::{Effects, leaves, same};
 
+use emptied::emptied;
 use turn::{Free, Turn};
 
 /// For each region so many truths tell at most what is done behind the ways of others.
@@ -154,7 +156,12 @@ impl<'m> Cycle<'m> {
             several.full.clone_from(&full);
             let ties = Turn::of(&several, &self.turn, &self.free).ties(&env, &begin);
             several.ties = ties;
-            let turn = Turn::of(&several, &self.turn, &self.free).statements(&env)?;
+            let mut turn = Turn::of(&several, &self.turn, &self.free).statements(&env)?;
+            several.emptied = emptied(&several, &turn, &begin);
+            if !several.emptied.is_empty() {
+                several.renew(program);
+                turn = Turn::of(&several, &self.turn, &self.free).statements(&env)?;
+            }
             let mut again = false;
             for (full, state) in full.iter_mut().zip(&last.states) {
                 if *full && empties(&turn, *state) {

@@ -67,6 +67,10 @@ pub(super) fn pass(program: &mut Program<'_>) {
 /// them doubles what is behind it. Of the charts of this repository that profit from it none takes more than 48.
 const EFFORT: usize = 64;
 
+fn effort(program: &Program<'_>) -> usize {
+    EFFORT * (weight(&program.cycle) + program.places.len())
+}
+
 /// What is known where some statements begin.
 #[derive(Clone)]
 pub(super) struct Env {
@@ -89,8 +93,16 @@ pub(super) struct Several<'p, 'm> {
     pub(super) full: Vec<bool>,
     /// What a state tells of another region.
     pub(super) ties: Vec<Tie>,
+    pub(super) emptied: Vec<Emptied>,
     /// So many statements and places may still be looked at for conditions that are asked first.
     effort: Cell<usize>,
+}
+
+/// A region is without a step only beside some states of another one.
+pub(super) struct Emptied {
+    pub(super) region: usize,
+    pub(super) above: usize,
+    pub(super) beside: Set<Option<StepId>>,
 }
 
 /// Where one region has this state, another one has that.
@@ -131,8 +143,14 @@ impl<'p, 'm> Several<'p, 'm> {
             read_after,
             full: program.full.clone(),
             ties: Vec::new(),
-            effort: Cell::new(EFFORT * (weight(&program.cycle) + program.places.len())),
+            emptied: Vec::new(),
+            effort: Cell::new(effort(program)),
         })
+    }
+
+    /// Whatever has been looked at, as much may be looked at again.
+    pub(super) fn renew(&self, program: &Program<'m>) {
+        self.effort.set(effort(program));
     }
 
     /// The region whose state tells that the first cycle is still to come, and the cycle.

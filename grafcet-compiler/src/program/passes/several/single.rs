@@ -6,7 +6,7 @@ use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
 use super::super::uses::writes_to;
-use super::{Env, Several, Tie};
+use super::{Emptied, Env, Several, Tie};
 use crate::model::{Id, StepId};
 use crate::program::{Arm, PlaceId, Statement, Type, Value};
 
@@ -73,6 +73,8 @@ impl<'m> Several<'_, 'm> {
                     known.push((self.states[other], Fact::Is(Value::Step(tie.below.1))));
                 } else if let Some(fact) = self.narrowed(other, *step, env) {
                     known.push((self.states[other], fact));
+                } else if let Some(states) = self.with_a_step(other, (region, *step), env) {
+                    known.push((self.states[other], engine.among(states)));
                 }
             }
             let point = points.point(Value::Step(*step))?;
@@ -92,6 +94,18 @@ impl<'m> Several<'_, 'm> {
             (Some(one), None) => Some(Fact::Is(Value::Step(*one))),
             _ => None,
         }
+    }
+
+    /// The states of a region beside that of another one, if it is known that it has a step there and was not before.
+    fn with_a_step(&self, region: usize, (above, step): (usize, Option<StepId>), env: &Env) -> Option<Among> {
+        let Fact::Among(list) = env.facts[self.states[region].0] else { return None };
+        let mut states = env.lists[list].clone();
+        let has = |one: &Emptied| one.region == region && one.above == above && !one.beside.contains(&step);
+        if !states.contains(&None) || !self.emptied.iter().any(has) {
+            return None;
+        }
+        states.retain(Option::is_some);
+        Some(states)
     }
 
     pub(super) fn may_meet(&self, one: Option<StepId>, other: Option<StepId>) -> bool {
