@@ -81,16 +81,12 @@ impl Two<'_> {
     }
 
     fn set(&self, place: PlaceId, value: &Expr<'_>, pairs: Set<Pair>) -> Set<Pair> {
-        let mut after = Set::new();
         match value {
-            _ if place != self.above && place != self.region => return pairs,
-            Expr::Value(Value::Step(step)) if place == self.above => {
-                after.extend(pairs.iter().map(|pair| (*step, pair.1)))
-            }
-            Expr::Value(Value::Step(step)) => after.extend(pairs.iter().map(|pair| (pair.0, step.is_none()))),
-            _ => after = self.anything(),
+            _ if place != self.above && place != self.region => pairs,
+            Expr::Value(Value::Step(step)) if place == self.above => pairs.iter().map(|pair| (*step, pair.1)).collect(),
+            Expr::Value(Value::Step(step)) => pairs.iter().map(|pair| (pair.0, step.is_none())).collect(),
+            _ => self.anything(),
         }
-        after
     }
 
     fn matched(&self, place: PlaceId, arms: &[Arm<'_>], otherwise: &[Statement<'_>], pairs: &Set<Pair>) -> Set<Pair> {
