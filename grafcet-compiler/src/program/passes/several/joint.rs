@@ -71,12 +71,6 @@ impl<'m> Several<'_, 'm> {
             bodies.push(body);
         }
         let behind = share::ends(&mut bodies, &may);
-        if let [Statement::Match(place, others, otherwise)] = &mut rest[..] {
-            if *place == state {
-                arms.append(others);
-                rest = std::mem::take(otherwise);
-            }
-        }
         let mut all = vec![Statement::Match(state, merged(arms), rest)];
         all.extend(behind);
         Some(all)
