@@ -12,6 +12,9 @@ const ALL: &str = "the qualifiers are N, S, R, L, D, P, P1, P0, SD, DS and SL";
 /// Words with which other notations say when something is done.
 const MOMENTS: &[&str] = &["entry", "enter", "exit", "leave", "during", "do", "while", "for", "loop", "match"];
 
+/// Words with which other notations leave a step.
+const GOES: &[&str] = &["goto", "go", "jump", "next", "transition", "transitions", "trans"];
+
 const BY_MOMENT: &str = "what a step does has a qualifier: `P1 { … }` runs when the step becomes active, `P0 { … }` when it is \
                          left, `N { … }` in every cycle";
 
@@ -117,6 +120,10 @@ fn on(input: &mut Input) -> Result<Option<(Span, syn::Expr)>> {
         return Err(input.error(format!("expected {what}, found `{{`")));
     }
     let event = condition::before_block(input, what)?;
+    if input.at("=>") || input.at("->") || input.at(":") {
+        let message = "what happens then stands right behind the event: `on rising(a) n = 1;`; a transition stands after the steps";
+        return Err(input.error(message));
+    }
     Ok(Some((span, event)))
 }
 
@@ -157,6 +164,14 @@ fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
     Ok(Some((qualifier, span)))
 }
 
+/// What to write for a word with which other notations say when something is done, or what comes then.
+fn moment(word: &str) -> Option<&'static str> {
+    if GOES.contains(&word) {
+        return Some("transitions stand after the steps, not in them: `A -[x]-> B;`");
+    }
+    MOMENTS.contains(&word).then_some(BY_MOMENT)
+}
+
 /// Refuses `X q`, `s q` and `X 5s q`, where something stands like a qualifier and is none.
 fn unknown(input: &mut Input, word: &str) -> Result<()> {
     let behind = input.next();
@@ -166,8 +181,8 @@ fn unknown(input: &mut Input, word: &str) -> Result<()> {
         && !behind.on_new_line()
         && (ends(&time) || time.literal().is_some() && ends(&time.next()));
     let stands_like_one = behind.at_name() || behind.literal().is_some() || braces;
-    if MOMENTS.contains(&word) && behind.at(":") && !behind.at(":=") {
-        return Err(input.error(BY_MOMENT));
+    if let (Some(message), true) = (moment(word), behind.at(":") && !behind.at(":=")) {
+        return Err(input.error(message));
     }
     if word == "F" && behind.at("/") {
         let (target, order) = (behind.next(), behind.next().next());
@@ -180,7 +195,9 @@ fn unknown(input: &mut Input, word: &str) -> Result<()> {
         let mark = Mark { start: input.span(), end: behind.span() };
         return Err(Error::new(mark, message));
     }
-    if !stands_like_one || behind.on_new_line() || begins(&behind) && !behind_it {
+    // `q when c`: the end of the line says what is wrong.
+    let conditional = behind.word().is_some_and(|word| recover::is_conditional(&word.to_lowercase()));
+    if !stands_like_one || conditional || behind.on_new_line() || begins(&behind) && !behind_it {
         return Ok(());
     }
     if behind_it {
@@ -195,10 +212,13 @@ fn unknown(input: &mut Input, word: &str) -> Result<()> {
     let upper = word.to_uppercase();
     Err(input.error(if is_qualifier(&upper) {
         format!("qualifiers are capital letters: write `{upper}`")
+    } else if word == "when" {
+        "a condition stands after the action, `q if condition;`, and a transition after the steps, `A -[x]-> B;`"
+            .to_owned()
     } else if words::meant(word) == Some("step") {
         "a step cannot stand in a step; a `macro step` or an `enclosing step` holds others".to_owned()
-    } else if MOMENTS.contains(&word) {
-        BY_MOMENT.to_owned()
+    } else if let Some(message) = moment(word) {
+        message.to_owned()
     } else if let Some((_, letter)) = SPOKEN.iter().find(|(spoken, _)| *spoken == word.to_lowercase()) {
         format!("`{word}` is the qualifier `{letter}`: `{letter} {};`", behind.word().unwrap_or("q"))
     } else {
@@ -238,6 +258,13 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
         return Err(input.error(format!(
             "the time of `{word}` is a literal such as `5s` or the name of a `param` or `var` of type `time`"
         )));
+    }
+    if let (Some(target), Some(time)) = (input.word(), behind.literal()) {
+        let mark = Mark { start: input.span(), end: behind.span() };
+        return Err(Error::new(
+            mark,
+            format!("the time of `{word}` stands in front of its target: `{word} {time} {target};`"),
+        ));
     }
     let message = if input.word().is_some() && (input.next().at(";") || input.next().is_empty()) {
         format!("`{word}` needs two things after it, a time and its target: `{word} 5s q;`")

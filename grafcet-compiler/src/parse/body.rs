@@ -1,10 +1,10 @@
 //! The items between the braces of a chart, a partial grafcet or a macro-step.
 
-use proc_macro2::Delimiter;
+use proc_macro2::{Delimiter, Ident};
 
 use super::input::Turns;
 use super::recover::{self, Items};
-use super::{Input, Result, attrs, chain, decl, named, partial, property, setting, step, words};
+use super::{Input, Result, attrs, chain, decl, foreign, named, partial, property, setting, step, words};
 use crate::ast::{Body, DeclKind, Item};
 use crate::diagnostic::Sink;
 use crate::list::PushAll;
@@ -45,6 +45,9 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
         if input.is_empty() {
             return Err(outer.of_nothing(input));
         }
+        if input.at(";") {
+            return Err(input.error("this `;` ends nothing; remove it"));
+        }
         return Err(
             input.error(format!("expected a declaration, a step or a chain of transitions, found {}", input.found()))
         );
@@ -56,6 +59,7 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
         input.eat(";");
         return Ok(());
     }
+    branches(input)?;
     let meant = keyword(word, input, sink)?;
     items.push(match meant {
         "input" => Item::Decl(decl::parse(input, DeclKind::Input, outer.attrs, sink)?),
@@ -89,32 +93,54 @@ fn label(input: &mut Input, sink: &mut Sink) {
     }
 }
 
+/// `if a { … } else { … }`, which is one mistake to its end.
+fn branches(input: &mut Input) -> Result<()> {
+    let branching = ["if", "match", "switch", "case", "while", "for", "loop"].iter().any(|word| input.at_word(word));
+    if !branching || input.next().at(":") {
+        return Ok(());
+    }
+    let (start, mut ahead, mut turns) = (*input, *input, Turns::default());
+    while turns.more(&ahead) && !ahead.at(";") {
+        // The last braces end the item: they are left to whoever looks for the next one.
+        if ahead.at_group(Delimiter::Brace) && !ahead.next().at_word("else") {
+            *input = ahead;
+            break;
+        }
+        ahead.bump();
+    }
+    let message =
+        "each branch is a transition of its own, as `A -[x]-> B; A -[else]-> C;`, and a loop is one that leads back";
+    Err(start.error(message))
+}
+
 /// The word of the notation an item begins with. One that is only meant is reported, and taken for it.
 fn keyword(word: &str, input: &Input, sink: &mut Sink) -> Result<&'static str> {
     if let Some(item) = words::ITEMS.iter().find(|item| word == **item) {
         return Ok(item);
     }
     let behind = input.next();
+    foreign::of_rust(input, word)?;
     let lower = word.to_lowercase();
     if lower == "transition" || lower == "transitions" {
         return Err(input.error("a transition is drawn between its steps: `A -[condition]-> B;`"));
     }
-    if word == "fn" || word == "method" {
-        return Err(
-            input.error("code is declared `action heat(setpoint: i16);` and written as a method of the chart's trait")
-        );
-    }
-    if behind.word().is_some() || behind.literal().is_some() && !super::association::is_qualifier(word) {
+    let listed = behind.at_group(Delimiter::Brace) || decl::lists_behind_colon(&behind);
+    if listed && matches!(words::meant(word), Some("input" | "output" | "var" | "param"))
+        || behind.word().is_some()
+        || behind.literal().is_some() && !super::association::is_qualifier(word)
+    {
         if let Some(meant) = words::meant(word) {
             words::report(input, meant, sink);
             return Ok(meant);
         }
     }
-    Err(input.error(if behind.at(":") {
+    Err(input.error(if behind.at(":") && syn::parse_str::<Ident>(word).is_err() {
+        format!("`{word}` is a keyword of Rust; what is declared here has another name: `input level: u8;`")
+    } else if behind.at(":") {
         format!("say what `{word}` is: `input {word}: bool;`, `output {word}: bool;` or `var {word}: bool = false;`")
     } else if behind.at_assign() || super::association::is_qualifier(word) || word == "force" {
         "what a step does stands in its braces: `step A { N q; }`".to_owned()
-    } else if behind.at("-") || behind.at("=>") {
+    } else if behind.at("-") || behind.at("=>") || behind.at("+") {
         "a transition is drawn between its steps: `A -[condition]-> B;`".to_owned()
     } else if behind.at_group(Delimiter::Brace) {
         format!("say what `{word}` is: `step {word} {{ … }}` or `partial {word} {{ … }}`")

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Ident};
 
 use super::input::Turns;
-use super::{Error, Input, Result, transition, words};
+use super::{Error, Input, Result, recover, transition, words};
 use crate::ast::{Any, Arrow, Attrs, Chain, Node};
 use crate::diagnostic::{Mark, Sink};
 
@@ -166,7 +166,7 @@ fn node(input: &mut Input, sink: &mut Sink) -> Result<Node> {
     if input.at(",") || input.at("&") || input.at("&&") {
         return Err(Error::new(input.since(&start), PARALLEL));
     }
-    if input.at(":") && !input.at("::") {
+    if condition_behind(input) {
         return Err(input.error("the condition of a transition stands in its arrow: `A -[condition]-> B;`"));
     }
     if input.at("::") {
@@ -176,6 +176,14 @@ fn node(input: &mut Input, sink: &mut Sink) -> Result<Node> {
         return Err(input.error("a chain names the steps themselves, without `.X`"));
     }
     Ok(node)
+}
+
+/// `A -> B: x`, `A -> B if x` and `A -> B [x] / action`
+fn condition_behind(input: &Input) -> bool {
+    let behind = input.next();
+    let spoken = input.at_word("if") || input.word().is_some_and(|word| recover::is_conditional(&word.to_lowercase()));
+    let guard = input.at_group(Delimiter::Bracket) && (behind.is_empty() || behind.at(";") || behind.at("/"));
+    spoken || guard || input.at(":") && !input.at("::")
 }
 
 /// One arrow. A transition that could not be parsed is reported here, and is `None`.

@@ -6,16 +6,18 @@ use syn::parse::Parse;
 
 use super::input::Turns;
 use super::recover::{self, Items};
-use super::{Error, Input, Result, range, rust, types, variants};
+use super::{Error, Input, Result, range, rust, types, variants, words};
 use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Range, Ty, Variants};
 use crate::diagnostic::Sink;
 use crate::list::List;
 
 /// An input, output, variable or parameter; the keyword is next.
 pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut Sink) -> Result<Decl> {
-    let keyword = input.eat_ident();
+    let keyword = input.word().and_then(words::meant).unwrap_or("var");
+    input.bump();
+    sign_behind(input, keyword, sink)?;
     let names = names(input)?;
-    colon(input, &names, keyword.as_ref())?;
+    colon(input, &names, keyword)?;
     let ty = types::parse(input, sink)?;
     let (variants, range) = listed(input, sink)?;
     let start = *input;
@@ -53,15 +55,41 @@ fn names(input: &mut Input) -> Result<Vec<Ident>> {
     Ok(names)
 }
 
-fn colon(input: &mut Input, names: &[Ident], keyword: Option<&Ident>) -> Result<()> {
+/// `input { a: bool }` and `input: a: bool;`, where nothing stands between the keyword and the names.
+fn sign_behind(input: &mut Input, keyword: &str, sink: &mut Sink) -> Result<()> {
+    if input.at_group(Delimiter::Brace) {
+        let message =
+            format!("declarations have no braces: `{keyword} a, b: bool;`, and another one for the next type");
+        return Err(input.error(message));
+    }
+    if lists_behind_colon(input) {
+        sink.notation(input.span(), format!("after `{keyword}` stands the name, without `:`: `{keyword} a, b: bool;`"));
+        input.eat(":");
+    }
+    Ok(())
+}
+
+/// Whether `: a, b: bool` is next.
+pub(super) fn lists_behind_colon(input: &Input) -> bool {
+    let name = input.next();
+    let behind = name.next();
+    input.at(":") && !input.at("::") && name.at_name() && (behind.at(",") || behind.at(":") && !behind.at("::"))
+}
+
+fn colon(input: &mut Input, names: &[Ident], keyword: &str) -> Result<()> {
     if input.at(":=") || !input.eat(":") {
         if let (true, Some(word)) =
             (input.word().is_some(), names.last().filter(|name| *name == "mut" || *name == "ref"))
         {
             return Err(Error::new(word.span(), format!("no declaration of a chart has `{word}`; remove it")));
         }
+        if let ([ty], Some(name)) = (names, input.word()) {
+            // `bool a`
+            if let Some(known) = types::known(&ty.to_string()) {
+                return Err(Error::new(ty, format!("the type stands after the name: `{keyword} {name}: {known};`")));
+            }
+        }
         let names = names.iter().map(ToString::to_string).list().join(", ");
-        let keyword = keyword.map_or_else(|| "var".to_owned(), ToString::to_string);
         let message = format!("expected `:` and a type, as in `{keyword} {names}: bool;`, found {}", input.found());
         return Err(input.error(message));
     }

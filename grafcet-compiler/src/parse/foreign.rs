@@ -3,7 +3,7 @@
 use proc_macro2::Delimiter;
 
 use super::input::Turns;
-use super::{Error, Input};
+use super::{Error, Input, Result};
 use crate::diagnostic::Mark;
 
 /// All of them from here to the end of the item, each with what is written here.
@@ -18,6 +18,22 @@ pub(super) fn all(mut input: Input) -> Option<Error> {
         notes.extend(single(start));
     }
     Error::several(notes)
+}
+
+/// An item of Rust in a chart.
+pub(super) fn of_rust(input: &Input, word: &str) -> Result<()> {
+    let named = starts_operand(&input.next());
+    Err(input.error(match word {
+        "fn" | "method" => {
+            "code is declared `action heat(setpoint: i16);` and written as a method of the chart's trait"
+        }
+        "use" | "struct" | "enum" | "type" | "mod" | "impl" | "trait" | "extern" | "unsafe" | "macro_rules"
+            if named =>
+        {
+            "items of Rust stand outside of the chart, in front of `grafcet!` or behind it"
+        }
+        _ => return Ok(()),
+    }))
 }
 
 /// `a > 3 & b < 5`: to Rust `a > (3 & b) < 5`, which it does not read.

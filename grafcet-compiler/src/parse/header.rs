@@ -41,6 +41,9 @@ fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<Header<'a>> {
     let vis = visibility(input)?;
     let (keyword, is_plant) = (input.span(), input.at_word(plant::KEYWORD));
     let dialect = dialect(input, sink)?;
+    if input.at_word("pub") {
+        return Err(input.error("`pub` stands in front of the dialect: `pub sfc Motor { … }`"));
+    }
     let name = input.name("the name of the chart, as in `sfc Motor { … }`")?;
     if syn::parse2::<Ident>(name.to_token_stream()).is_err() {
         let message = format!("`{name}` is a keyword of Rust; the chart becomes a type and needs another name");

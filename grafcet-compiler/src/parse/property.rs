@@ -23,6 +23,9 @@ pub(super) fn parse(input: &mut Input, word: &str, attrs: Attrs, sink: &mut Sink
         }
         "always" => {
             let first = condition::parse(input, "what must always hold")?;
+            if ["->", "==>", "-->"].iter().any(|sign| input.at(sign)) {
+                return Err(input.error("an implication is written `=>`: `always a => b;`"));
+            }
             if input.eat("=>") {
                 let condition = condition::parse(input, "what follows from it, after `=>`")?;
                 Property::Always { attrs, keyword, premise: Some(first), condition }
@@ -97,6 +100,11 @@ pub(super) fn order(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<
 
 fn within(input: &mut Input, sink: &mut Sink) -> Result<Option<Time>> {
     if !input.eat_word("within") {
+        if let (Some(word), Some(time)) = (input.word(), input.next().literal()) {
+            return Err(
+                input.error(format!("how long it may take stands after `within`: `within {time}`, not `{word}`"))
+            );
+        }
         return Ok(None);
     }
     match input.literal() {

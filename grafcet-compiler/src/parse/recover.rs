@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Ident};
 use super::input::Turns;
 use super::{Error, Input, association, chain, words};
 use crate::diagnostic::Sink;
-use crate::list::PushAll;
+use crate::list::{List, PushAll};
 
 /// Which items stand in a body.
 #[derive(Clone, Copy, PartialEq)]
@@ -76,6 +76,11 @@ pub(super) fn semicolon(input: &mut Input, items: Items, sink: &mut Sink) {
     skip(input, &start, items);
 }
 
+/// Whether other notations have the word in front of a condition.
+pub(super) fn is_conditional(word: &str) -> bool {
+    ["when", "falls", "wenn", "unless"].contains(&word)
+}
+
 /// Something stands where `;` should.
 fn unexpected(input: &Input) -> Error {
     let found = input.found();
@@ -86,8 +91,9 @@ fn unexpected(input: &Input) -> Error {
         return input.error("a time is written with its unit alone: `5s`, not `T#5s`");
     }
     let word = input.word().unwrap_or_default().to_lowercase();
-    if ["when", "falls", "wenn"].contains(&word.as_str()) {
-        return input.error("the condition of an action stands after `if`: `q if condition;`");
+    if is_conditional(&word) {
+        let not = if word == "unless" { "!" } else { "" };
+        return input.error(format!("the condition of an action stands after `if`: `q if {not}condition;`"));
     }
     if ["after", "nach"].contains(&word.as_str()) && input.next().literal().is_some() {
         return input.error("an action that begins later has the qualifier `D` and its time in front: `D 5s q;`");
@@ -104,10 +110,12 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
         start.enter(Delimiter::Bracket);
     }
     let Some(first) = start.eat_ident() else { return Vec::new() };
-    if start.at_group(Delimiter::Brace) {
-        return vec![first];
-    }
     let written = first.to_string();
+    if let Some(inside) = start.enter(Delimiter::Brace) {
+        // `input { a, b: bool }`
+        let declares = matches!(words::meant(&written), Some("input" | "output" | "var" | "param"));
+        return if declares { inside.names_until(&start).list() } else { vec![first] };
+    }
     if association::is_qualifier(&written) || written == "force" {
         return Vec::new();
     }

@@ -99,7 +99,10 @@ fn words(input: &mut Input, sink: &mut Sink) -> Words {
             words::report(input, meant, sink);
         }
         input.bump();
-        let Some(slot) = found.slot(meant) else { return found };
+        let Some(slot) = found.slot(meant) else {
+            found.behind(input, sink);
+            return found;
+        };
         if slot.replace(input.last()).is_some() {
             sink.notation(input.last(), format!("`{word}` stands here twice; remove one"));
         }
@@ -112,6 +115,17 @@ fn words(input: &mut Input, sink: &mut Sink) -> Words {
 }
 
 impl Words {
+    /// `step initial A`
+    fn behind(&mut self, input: &mut Input, sink: &mut Sink) {
+        let named = input.next().word().is_some_and(|word| word != "within");
+        let Some((word, slot)) = input.word().filter(|_| named).and_then(|word| Some((word, self.slot(word)?))) else {
+            return;
+        };
+        slot.get_or_insert(input.span());
+        sink.notation(input.span(), format!("`{word}` stands in front of `step`: `{word} step A;`"));
+        input.bump();
+    }
+
     fn is_empty(&self) -> bool {
         let Self { initial, is_final, linked, entry, exit, macro_step, enclosing } = self;
         [initial, is_final, linked, entry, exit, macro_step, enclosing].iter().all(|slot| slot.is_none())
@@ -146,6 +160,8 @@ fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
         "each step is declared on its own: `step A; step B;`".to_owned()
     } else if input.at(":") {
         format!("what a step does stands in braces: `step {name} {{ N q; }}`")
+    } else if let Some(word) = input.word().filter(|word| Words::default().slot(word).is_some()) {
+        format!("`{word}` stands in front of `step`: `{word} step {name};`")
     } else {
         format!("expected `{{` or `;` after the name of the step, found {}", input.found())
     }))

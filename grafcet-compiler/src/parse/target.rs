@@ -100,6 +100,9 @@ fn refuse(input: &Input, name: &Ident) -> Result<()> {
             return Err(input.error(message));
         }
     }
+    if input.at(".") && name == "self" {
+        return Err(Error::new(name, "the names of a chart stand alone, without `self.`"));
+    }
     if input.at(".") || input.at_group(Delimiter::Bracket) {
         let message = format!(
             "an association acts on a whole output or variable; for a part of `{name}` write a block: `P1 {{ {name}… }}`"

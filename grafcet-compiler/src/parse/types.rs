@@ -7,6 +7,7 @@ use syn::parse::Parse;
 use super::{Input, Result};
 use crate::ast::Ty;
 use crate::diagnostic::Sink;
+use crate::methods;
 
 /// What IEC 61131-3 and other languages call a type, and what it is here.
 const ELSEWHERE: &[(&str, &str)] = &[
@@ -37,6 +38,12 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("double", "f64"),
     ("boolean", "bool"),
 ];
+
+/// The type that the word is wherever it stands; that of Rust, where another notation has it.
+pub(super) fn known(word: &str) -> Option<&str> {
+    let ours = ELSEWHERE.iter().find(|(name, _)| *name == word).map(|(_, ours)| *ours);
+    ours.or_else(|| (word == "time" || methods::is_primitive(word)).then_some(word))
+}
 
 /// A type; the word `time` alone is ours.
 pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Ty> {

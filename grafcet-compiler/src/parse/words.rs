@@ -57,6 +57,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("ausgang", "output"),
     ("merker", "var"),
     ("variable", "var"),
+    ("vars", "var"),
     ("schritt", "step"),
     ("initialschritt", "initial"),
     ("anfangsschritt", "initial"),
@@ -83,7 +84,17 @@ pub(super) fn meant(written: &str) -> Option<&'static str> {
         let near = |word: &&&str| word.len() > 3 && similar::distance(word, &lower) <= word.len() / 4;
         ITEMS.iter().find(near)
     };
-    exactly.or_else(elsewhere).or_else(nearly).copied()
+    exactly.or_else(elsewhere).or_else(nearly).copied().or_else(|| half_typed(written))
+}
+
+/// `inp` for `input`: as many letters as one word alone begins with. A capital one begins a name.
+fn half_typed(written: &str) -> Option<&'static str> {
+    // `force` is a word of its own, in a step.
+    if written.len() < 3 || is_rust(written) || written == "force" {
+        return None;
+    }
+    let mut begun = ITEMS.iter().filter(|word| word.starts_with(written));
+    begun.next().filter(|_| begun.next().is_none()).copied()
 }
 
 /// `INITIAL_STEP`, as IEC 61131-3 writes it.

@@ -317,7 +317,11 @@ fn reserved(name: &Ident) -> Option<String> {
 fn declaration(name: &Ident, wanted: &str) -> String {
     match reserved(name) {
         _ if name == "rising" || name == "falling" => format!("an edge is written `{name}(a)`"),
+        _ if name == "self" => "the names of a chart stand alone, without `self.`".to_owned(),
         Some(reason) => format!("it {reason}"),
+        None if ["otherwise", "default", "sonst"].iter().any(|word| name == word) => {
+            format!("the last branch of a step has `-[else]->`; if a signal is called so, declare it: `{wanted}`")
+        }
         None => format!("declare it: `{wanted}`"),
     }
 }
