@@ -153,7 +153,10 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
         }
     });
     let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
-    let methods = model.actions.values().map(|action| {
+    // A name that is declared twice has been reported.
+    let mut seen = Set::new();
+    let declared = model.actions.values().filter(|action| seen.insert(action.name.to_string()));
+    let methods = declared.map(|action| {
         let (docs, name) = (docs(&action.attrs), &action.name);
         let params = action.params.iter().map(|(name, ty)| {
             let ty = types::rust_type(ty, p);

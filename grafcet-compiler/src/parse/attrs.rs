@@ -47,6 +47,10 @@ impl Outer {
     }
 }
 
+/// What to do about attributes in the middle of something.
+pub(super) const MISPLACED: &str =
+    "attributes and doc comments stand in front of a whole declaration, step or chain, not in the middle of it";
+
 /// The attributes in front of the chart.
 pub(super) fn of_chart(input: &mut Input, sink: &mut Sink) -> Attrs {
     all(input, sink).attrs

@@ -22,7 +22,8 @@ fn with(input: &mut Input, what: &str, parse: fn(ParseStream) -> syn::Result<Exp
         return Err(input.error(format!("expected {what}, found {}", input.found())));
     }
     let start = *input;
-    let expr = input.rust(parse).map_err(|error| foreign::all(start).unwrap_or(error))?;
+    let expr =
+        input.rust(parse).map_err(|error| foreign::all(start).or_else(|| foreign::keyword(start)).unwrap_or(error))?;
     // `a AND b` ends, for Rust, in front of `AND`, `T#5s` in front of `#`.
     if foreign::starts_operand(input) || input.at("#") {
         foreign::all(start).map_or(Ok(()), Err)?;

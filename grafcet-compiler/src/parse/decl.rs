@@ -18,7 +18,7 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
     sign_behind(input, keyword, sink)?;
     let names = names(input)?;
     colon(input, &names, keyword)?;
-    let ty = types::parse(input, sink)?;
+    let ty = types::parse(input, sink).and_then(|ty| types::kept(ty, sink))?;
     let (variants, range) = listed(input, sink)?;
     let start = *input;
     let mut init = if input.at_assign() && input.eat("=") { Some(value(input)?) } else { None };

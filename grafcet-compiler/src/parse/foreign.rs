@@ -36,6 +36,23 @@ pub(super) fn of_rust(input: &Input, word: &str) -> Result<()> {
     }))
 }
 
+/// A keyword of Rust that no expression has, in one that Rust could not read: it was meant as a name.
+pub(super) fn keyword(mut input: Input) -> Option<Error> {
+    for _ in 0..100 {
+        let word = input.word().unwrap_or_default();
+        if input.is_empty() || input.at(";") || word == "for" {
+            return None;
+        }
+        if ["in", "type", "use", "mod", "pub", "enum", "trait", "impl", "where", "do", "final"].contains(&word) {
+            let message =
+                format!("`{word}` is a keyword of Rust; a signal of that name is written `r#{word}` everywhere");
+            return Some(input.error(message));
+        }
+        input.bump();
+    }
+    None
+}
+
 /// `a > 3 & b < 5`: to Rust `a > (3 & b) < 5`, which it does not read.
 fn single(mut input: Input) -> Option<(Mark, String)> {
     let (mut compared, mut operand, mut sign) = (false, false, None);
@@ -133,6 +150,9 @@ fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
         // A name like any other, unless an operand follows it.
         let operates = starts_operand(&behind) || behind.at_group(Delimiter::Parenthesis) || behind.at("!");
         return operates.then(|| (behind, format!("`{word}` is written `{ours}`")));
+    }
+    if let (Some(edge @ ("rising" | "falling")), Some(name)) = (input.word(), behind.word()) {
+        return Some((behind.next(), format!("an edge is written `{edge}({name})`")));
     }
     if input.word() == Some("after") && behind.literal().is_some() {
         let message = "a time is asked of a step: `5s/A` holds once step `A` has been active for so long";

@@ -5,7 +5,7 @@ use quote::TokenStreamExt;
 use syn::parse::{ParseStream, Parser};
 
 use super::buffer::{Buffer, Token};
-use super::{Error, Result, words};
+use super::{Error, Result, attrs, words};
 use crate::diagnostic::Mark;
 
 /// What is left of a body, of a group, or of the whole call. A copy looks ahead.
@@ -153,6 +153,11 @@ impl<'a> Input<'a> {
         self.token().is_some_and(|token| token.is_group(delimiter))
     }
 
+    /// Whether an attribute is next.
+    pub(super) fn at_attribute(&self) -> bool {
+        self.at("#") && self.next().at_group(Delimiter::Bracket)
+    }
+
     /// Whether `=` is next, and not `==` or `=>`.
     pub(super) fn at_assign(&self) -> bool {
         self.at("=") && !self.at("==") && !self.at("=>")
@@ -234,7 +239,10 @@ impl<'a> Input<'a> {
 
     /// A name that is declared or mentioned. Keywords of Rust pass: a rule refuses them with its reason.
     pub(super) fn name(&mut self, what: &str) -> Result<Ident> {
-        self.eat_ident().ok_or_else(|| self.error(format!("expected {what}, found {}", self.found())))
+        self.eat_ident().ok_or_else(|| match self.at_attribute() {
+            true => self.error(attrs::MISPLACED),
+            false => self.error(format!("expected {what}, found {}", self.found())),
+        })
     }
 
     /// The next token if it is a number, as steps are called on paper.

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Ident};
 
 use super::input::Turns;
-use super::{Error, Input, association, chain, words};
+use super::{Error, Input, association, attrs, chain, words};
 use crate::diagnostic::Sink;
 use crate::list::{List, PushAll};
 
@@ -87,7 +87,10 @@ fn unexpected(input: &Input) -> Error {
     if input.at(":=") {
         return input.error("an assignment is written `=`, not `:=`");
     }
-    if input.behind("#").is_some_and(|next| !next.at_group(Delimiter::Bracket)) {
+    if input.at_attribute() {
+        return input.error(attrs::MISPLACED);
+    }
+    if input.at("#") {
         return input.error("a time is written with its unit alone: `5s`, not `T#5s`");
     }
     let word = input.word().unwrap_or_default().to_lowercase();
@@ -106,10 +109,9 @@ fn unexpected(input: &Input) -> Error {
 
 /// The names that the item at `start`, which is broken, would have declared.
 pub(super) fn names(mut start: Input) -> Vec<Ident> {
-    while start.eat("#") {
-        start.enter(Delimiter::Bracket);
-    }
+    attributes(&mut start);
     let Some(first) = start.eat_ident() else { return Vec::new() };
+    attributes(&mut start);
     let written = first.to_string();
     if let Some(inside) = start.enter(Delimiter::Brace) {
         // `input { a, b: bool }`
@@ -158,11 +160,16 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
     names
 }
 
+/// Steps over attributes.
+fn attributes(input: &mut Input) {
+    while input.eat("#") {
+        input.enter(Delimiter::Bracket);
+    }
+}
+
 /// Whether the item at `start`, which is broken, may have been a step.
 pub(super) fn may_be_step(mut start: Input) -> bool {
-    while start.eat("#") {
-        start.enter(Delimiter::Bracket);
-    }
+    attributes(&mut start);
     let Some(first) = start.word() else { return false };
     let no_step = ["input", "output", "var", "param", "let", "action", "partial"];
     match words::meant(first) {

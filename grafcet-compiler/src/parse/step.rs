@@ -88,7 +88,7 @@ fn words(input: &mut Input, sink: &mut Sink) -> Words {
     let (mut found, mut turns) = (Words::default(), Turns::default());
     while turns.more(input) {
         let Some(word) = input.word() else { break };
-        let last = input.next().word().is_none();
+        let last = input.next().word().is_none() && !input.next().at_attribute();
         let meant = match words::meant(word) {
             Some(meant) if last && meant != "step" => break,
             Some(meant) if meant == "step" || found.slot(meant).is_some() => meant,
@@ -109,6 +109,10 @@ fn words(input: &mut Input, sink: &mut Sink) -> Words {
         if words::is_initial_step(word) {
             return found;
         }
+    }
+    if input.at_attribute() {
+        // The name is not found, which says why.
+        return found;
     }
     sink.notation(input.last(), "after this `step` is missing, as in `initial step Off;`");
     found
@@ -156,7 +160,9 @@ fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
         sink.notation(input.last(), "`;` is missing after this; a step ends with `;` or has a body in braces");
         return Ok(StepBody::default());
     }
-    Err(input.error(if input.at(",") {
+    Err(input.error(if input.at_attribute() {
+        attrs::MISPLACED.to_owned()
+    } else if input.at(",") {
         "each step is declared on its own: `step A; step B;`".to_owned()
     } else if input.at(":") {
         format!("what a step does stands in braces: `step {name} {{ N q; }}`")

@@ -1,12 +1,12 @@
 //! Declared types, with an ear for those of IEC 61131-3.
 
 use proc_macro2::{Delimiter, Ident, Span};
-use syn::Type;
 use syn::parse::Parse;
+use syn::{Lifetime, Type};
 
-use super::{Input, Result};
+use super::{Error, Input, Result};
 use crate::ast::Ty;
-use crate::diagnostic::Sink;
+use crate::diagnostic::{Mark, Sink};
 use crate::methods;
 
 /// What IEC 61131-3 and other languages call a type, and what it is here.
@@ -74,6 +74,25 @@ pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Ty> {
         return Ok(meant(ours, span));
     }
     input.rust(Type::parse).map(Ty::Rust)
+}
+
+/// The type of a declaration: what a chart keeps has a size, and lives as long as it does.
+pub(super) fn kept(mut ty: Ty, sink: &mut Sink) -> Result<Ty> {
+    match &mut ty {
+        Ty::Rust(Type::Reference(reference)) if reference.lifetime.is_none() => {
+            let message = "a reference that a chart keeps says how long it is valid: write `&'static …`";
+            sink.notation(reference.and_token.span, message);
+            reference.lifetime = Some(Lifetime::new("'static", reference.and_token.span));
+        }
+        Ty::Rust(Type::Slice(slice)) => {
+            return Err(Error::new(Mark::of(slice), "an array is written with its length: `[u8; 4]`"));
+        }
+        Ty::Rust(Type::Path(path)) if path.path.is_ident("str") => {
+            return Err(Error::new(Mark::of(path), "a text has no size that is known; write `&'static str`"));
+        }
+        _ => {}
+    }
+    Ok(ty)
 }
 
 /// The type that was meant, so that nothing follows from the mistake.

@@ -10,6 +10,15 @@ pub(in crate::model) fn of(tokens: impl ToTokens) -> String {
     text
 }
 
+/// Whether `-` behind `text` is a sign and no operator: `-1`, `(-1`, `n < -1`.
+fn is_operand_next(text: &str, tight: bool) -> bool {
+    match text.trim_end().chars().last() {
+        None | Some('(' | '[' | '{' | ',' | '.' | '/') => true,
+        // The second one of `&&` stands right behind the first.
+        Some(last) => !tight && "=<>&|+-*%^".contains(last),
+    }
+}
+
 fn write(tokens: TokenStream, text: &mut String, mut tight: bool) {
     for tree in tokens {
         match tree {
@@ -33,12 +42,13 @@ fn write(tokens: TokenStream, text: &mut String, mut tight: bool) {
             }
             TokenTree::Punct(punct) => {
                 let c = punct.as_char();
+                let prefix = matches!(c, '-' | '*' | '&') && is_operand_next(text, tight);
                 let sticks = matches!(c, '.' | ',' | ';' | '?' | ':');
                 if !tight && !sticks {
                     text.push(' ');
                 }
                 text.push(c);
-                tight = punct.spacing() == Spacing::Joint || matches!(c, '.' | '!' | ':' | '\'' | '#' | '/');
+                tight = prefix || punct.spacing() == Spacing::Joint || matches!(c, '.' | '!' | ':' | '\'' | '#' | '/');
                 // `5s/Heat` reads better without blanks, any other operator with them.
                 if c == '/' {
                     let trimmed = text.trim_end_matches(" /").len();
