@@ -1,6 +1,6 @@
 //! The items between the braces of a chart, a partial grafcet or a macro-step.
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::{Delimiter, Ident, Punct};
 
 use super::input::Turns;
 use super::recover::{self, Items};
@@ -28,6 +28,7 @@ pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
 }
 
 fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()> {
+    foreign::comments(input, sink);
     let outer = attrs::outer(input, sink);
     label(input, sink);
     if property::relates(input) {
@@ -45,12 +46,12 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
         if input.is_empty() {
             return Err(outer.of_nothing(input));
         }
-        if input.at(";") {
-            return Err(input.error("this `;` ends nothing; remove it"));
-        }
-        return Err(
-            input.error(format!("expected a declaration, a step or a chain of transitions, found {}", input.found()))
-        );
+        return Err(input.error(match input.punct().map(Punct::as_char) {
+            Some(';') => "this `;` ends nothing; remove it".to_owned(),
+            Some('*') if input.next().at("-") => "all steps are `any`: `any -[x]-> A;`".to_owned(),
+            Some('*') => "the step that is active first is declared as that: `initial step A;`".to_owned(),
+            _ => format!("expected a declaration, a step or a chain of transitions, found {}", input.found()),
+        }));
     };
     if word.to_lowercase().starts_with("end_") {
         let message = format!("nothing is closed with `{word}`: an item ends with `;` or with its braces; remove this");
@@ -124,8 +125,13 @@ fn keyword(word: &str, input: &Input, sink: &mut Sink) -> Result<&'static str> {
     if lower == "transition" || lower == "transitions" {
         return Err(input.error("a transition is drawn between its steps: `A -[condition]-> B;`"));
     }
+    if word == "any" && !behind.at(":") {
+        return Err(input.error("what `any` leaves out stands after `except`: `any except (A, B) -[x]-> C;`"));
+    }
+    let claims = matches!(words::meant(word), Some("never" | "always"));
     let listed = behind.at_group(Delimiter::Brace) || decl::lists_behind_colon(&behind);
     if listed && matches!(words::meant(word), Some("input" | "output" | "var" | "param"))
+        || claims && (behind.at("!") || behind.at_group(Delimiter::Parenthesis))
         || behind.word().is_some()
         || behind.literal().is_some() && !super::association::is_qualifier(word)
     {
@@ -134,7 +140,11 @@ fn keyword(word: &str, input: &Input, sink: &mut Sink) -> Result<&'static str> {
             return Ok(meant);
         }
     }
-    Err(input.error(if behind.at(":") && syn::parse_str::<Ident>(word).is_err() {
+    Err(input.error(if behind.at_word("implies") {
+        "an implication is written `=>`: `always a => b;`".to_owned()
+    } else if word == "eventually" || word == "finally" {
+        "what comes some time follows from something: `a leads_to b;`".to_owned()
+    } else if behind.at(":") && syn::parse_str::<Ident>(word).is_err() {
         format!("`{word}` is a keyword of Rust; what is declared here has another name: `input level: u8;`")
     } else if behind.at(":") {
         format!("say what `{word}` is: `input {word}: bool;`, `output {word}: bool;` or `var {word}: bool = false;`")

@@ -4,7 +4,7 @@ use proc_macro2::Delimiter;
 
 use super::input::Turns;
 use super::{Error, Input, Result};
-use crate::diagnostic::Mark;
+use crate::diagnostic::{Mark, Sink};
 
 /// All of them from here to the end of the item, each with what is written here.
 pub(super) fn all(mut input: Input) -> Option<Error> {
@@ -18,6 +18,16 @@ pub(super) fn all(mut input: Input) -> Option<Error> {
         notes.extend(single(start));
     }
     Error::several(notes)
+}
+
+/// `(* a comment *)`, as IEC 61131-3 writes it, which is reported and stepped over.
+pub(super) fn comments(input: &mut Input, sink: &mut Sink) {
+    let at_comment = |input: &Input| { *input }.enter(Delimiter::Parenthesis).is_some_and(|inside| inside.at("*"));
+    let mut turns = Turns::default();
+    while turns.more(input) && at_comment(input) {
+        sink.notation(input.span(), "a comment is written `/* … */`, or `// …` to the end of the line");
+        input.bump();
+    }
 }
 
 /// An item of Rust in a chart.

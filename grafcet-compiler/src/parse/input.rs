@@ -239,9 +239,9 @@ impl<'a> Input<'a> {
 
     /// A name that is declared or mentioned. Keywords of Rust pass: a rule refuses them with its reason.
     pub(super) fn name(&mut self, what: &str) -> Result<Ident> {
-        self.eat_ident().ok_or_else(|| match self.at_attribute() {
-            true => self.error(attrs::MISPLACED),
-            false => self.error(format!("expected {what}, found {}", self.found())),
+        self.eat_ident().ok_or_else(|| {
+            let message = format!("expected {what}, found {}", self.found());
+            self.error(if self.at_attribute() { attrs::MISPLACED.to_owned() } else { message })
         })
     }
 

@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, Span};
 
 use super::input::Turns;
 use super::recover::{self, Items};
-use super::{Error, Input, Result, association, attrs, body, force, partial, time, words};
+use super::{Error, Input, Result, association, attrs, body, force, foreign, partial, time, words};
 use crate::ast::{Attrs, Partial, Step, StepBody, StepKind, TimeArg, Within};
 use crate::diagnostic::Sink;
 
@@ -190,6 +190,7 @@ fn step_body(mut input: Input, encloses: bool, sink: &mut Sink) -> (StepBody, Ve
 }
 
 fn line(input: &mut Input, body: &mut StepBody, partials: Option<&mut Vec<Partial>>, sink: &mut Sink) -> Result<()> {
+    foreign::comments(input, sink);
     let outer = attrs::outer(input, sink);
     if input.is_empty() {
         outer.refuse("the end of a step", sink);

@@ -63,6 +63,7 @@ pub(super) fn parse(input: &mut Input, literal: &Literal, sink: &mut Sink) -> Op
             let unit = input.eat_ident().map(|unit| unit.to_string()).unwrap_or_default();
             format!("number and unit stand together: write `{literal}{unit}`")
         }
+        None if literal.to_string().starts_with('"') => "a time is written without quotes, as in `5s`".to_owned(),
         None => format!("`{literal}` has no unit of time; the units are h, m, s, ms and us, as in `5s`"),
     };
     sink.rule(&rules::BAD_TIME, &[], vec![(mark, message)]);
@@ -79,6 +80,9 @@ fn nanos(text: &str) -> Result<u64, String> {
         let (name, behind) = split(behind, |c: char| !c.is_ascii_digit());
         rest = behind;
         let Some(&(_, unit)) = UNITS.iter().find(|(unit, _)| *unit == name) else {
+            if let Some(ours) = meant(name) {
+                return Err(format!("`{text}` is no time: `{name}` is no unit; write `{ours}`"));
+            }
             let fault = if name.is_empty() { "its end has no unit".to_owned() } else { format!("`{name}` is no unit") };
             return Err(format!("`{text}` is no time: {fault}; the units are h, m, s, ms and us"));
         };
@@ -90,6 +94,18 @@ fn nanos(text: &str) -> Result<u64, String> {
         sum = sum.checked_add(part).ok_or_else(|| format!("`{text}` is too long for a time"))?;
     }
     Ok(sum)
+}
+
+/// The unit that is meant by another word.
+fn meant(name: &str) -> Option<&'static str> {
+    Some(match name.to_lowercase().as_str() {
+        "hour" | "hours" | "std" => "h",
+        "min" | "mins" | "minute" | "minutes" => "m",
+        "sec" | "secs" | "second" | "seconds" | "sek" => "s",
+        "msec" | "msecs" | "millis" => "ms",
+        "usec" | "micros" | "µs" => "us",
+        lower => UNITS.iter().find(|(unit, _)| *unit == lower)?.0,
+    })
 }
 
 fn split(text: &str, of_first: impl Fn(char) -> bool) -> (&str, &str) {

@@ -62,6 +62,9 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("initialschritt", "initial"),
     ("anfangsschritt", "initial"),
     ("aktion", "action"),
+    ("globally", "always"),
+    ("invariant", "always"),
+    ("assert", "always"),
 ];
 
 /// What can stand beside a name in an expression or a type.

@@ -57,4 +57,27 @@ grafcet! {
     }
 }
 
+// A language of lists of transitions, and claims as tests have them.
+grafcet! {
+    sfc Listed {
+        input a, b: bool;
+        output q: bool;
+
+        *A { q; }
+        initial step A { q; }
+        step B;
+
+        *A + E [a] = B;
+        * -[a]-> B;
+        all -[a]-> B;
+        any but A -[b]-> A;
+        A -[a]-> B -[b]-> A;
+
+        assert !q || A.X;
+        Never (q && B.X);
+        eventually q;
+        q implies a;
+    }
+}
+
 fn main() {}

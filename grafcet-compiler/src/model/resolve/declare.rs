@@ -91,7 +91,8 @@ impl Resolver<'_> {
         let Some(init) = &decl.init else { return };
         let init: Expr = expr::resolve(init, self);
         let is_time = matches!(decl.ty, ast::Ty::Time(_));
-        if let (true, Some(number)) = (is_time && matches!(init.tree, Tree::Int(_)), &decl.init) {
+        let quoted = matches!(&decl.init, Some(syn::Expr::Lit(lit)) if matches!(lit.lit, syn::Lit::Str(_)));
+        if let (true, Some(number)) = (is_time && (quoted || matches!(init.tree, Tree::Int(_))), &decl.init) {
             self.no_unit(number);
         }
         if let (true, Tree::Unary(Unary::Neg, _)) = (is_time, &init.tree) {

@@ -319,6 +319,9 @@ fn declaration(name: &Ident, wanted: &str) -> String {
         _ if name == "rising" || name == "falling" => format!("an edge is written `{name}(a)`"),
         _ if name == "self" => "the names of a chart stand alone, without `self.`".to_owned(),
         Some(reason) => format!("it {reason}"),
+        None if name == "all" && wanted.starts_with("step") => {
+            format!("all steps are `any`: `any -[x]-> A;`; or declare it: `{wanted}`")
+        }
         None if ["otherwise", "default", "sonst"].iter().any(|word| name == word) => {
             format!("the last branch of a step has `-[else]->`; if a signal is called so, declare it: `{wanted}`")
         }

@@ -70,10 +70,14 @@ impl Resolver<'_> {
         self.sink.rule(&rules::BAD_TIME, &[], vec![(mark, message)]);
     }
 
-    /// A bare number where a time stands.
+    /// A bare number, or a text, where a time stands.
     pub(super) fn no_unit(&mut self, number: &syn::Expr) {
         let text = super::text::of(number);
-        let message = format!("`{text}` has no unit of time; the units are h, m, s, ms and us, as in `{text}s`");
+        let message = if text.starts_with('"') {
+            "a time is written without quotes, as in `5s`".to_owned()
+        } else {
+            format!("`{text}` has no unit of time; the units are h, m, s, ms and us, as in `{text}s`")
+        };
         self.sink.rule(&rules::BAD_TIME, &[], vec![(Mark::of(number), message)]);
     }
 
