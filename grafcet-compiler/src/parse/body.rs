@@ -140,13 +140,15 @@ fn keyword(word: &str, input: &Input, sink: &mut Sink) -> Result<&'static str> {
             return Ok(meant);
         }
     }
-    Err(input.error(if behind.at_word("implies") {
+    Err(input.error(if behind.at_word("step") {
+        format!("`step` stands in front of the name: `step {word}`")
+    } else if behind.at_word("implies") {
         "an implication is written `=>`: `always a => b;`".to_owned()
     } else if word == "eventually" || word == "finally" {
         "what comes some time follows from something: `a leads_to b;`".to_owned()
     } else if behind.at(":") && syn::parse_str::<Ident>(word).is_err() {
         format!("`{word}` is a keyword of Rust; what is declared here has another name: `input level: u8;`")
-    } else if behind.at(":") {
+    } else if behind.at(":") || decl::lists(input) {
         format!("say what `{word}` is: `input {word}: bool;`, `output {word}: bool;` or `var {word}: bool = false;`")
     } else if behind.at_assign() || super::association::is_qualifier(word) || word == "force" {
         "what a step does stands in its braces: `step A { N q; }`".to_owned()

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Ident};
 
 use super::input::Turns;
-use super::{Error, Input, Result, recover, transition, words};
+use super::{Error, Input, Result, decl, recover, transition, words};
 use crate::ast::{Any, Arrow, Attrs, Chain, Node};
 use crate::diagnostic::{Mark, Sink};
 
@@ -21,6 +21,7 @@ pub(super) fn begins(input: &Input) -> bool {
         Some("any") if behind.at_word("except") => true,
         // `always => a` is half a property.
         Some(word) if words::ITEMS.contains(&word) => at_arrow(&behind) && !behind.at("=>"),
+        Some(_) if decl::lists(input) => false,
         Some(_) => at_arrow(&behind) || [",", ";", ".", "::"].iter().any(|sign| behind.at(sign)),
         None => at_arrow(input),
     }

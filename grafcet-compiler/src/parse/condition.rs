@@ -46,6 +46,13 @@ fn nothing_on_the_left(expr: &Expr, notes: &mut Vec<(Mark, String)>) {
             notes.push((mark, "nothing stands on the left of this `||`; remove it, or write `a || b`".to_owned()));
             nothing_on_the_left(&closure.body, notes);
         }
+        // `&& a`: to Rust a reference to a reference.
+        Expr::Reference(outer) => {
+            if let Expr::Reference(inner) = &*outer.expr {
+                let mark = Mark { start: outer.and_token.span, end: inner.and_token.span };
+                notes.push((mark, "nothing stands on the left of this `&&`; remove it, or write `a && b`".to_owned()));
+            }
+        }
         Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
             nothing_on_the_left(&binary.left, notes);
             nothing_on_the_left(&binary.right, notes);

@@ -69,6 +69,18 @@ fn sign_behind(input: &mut Input, keyword: &str, sink: &mut Sink) -> Result<()> 
     Ok(())
 }
 
+/// Whether `a, b: bool` is next, in front of which a keyword is missing.
+pub(super) fn lists(input: &Input) -> bool {
+    let (mut ahead, mut turns) = (*input, Turns::default());
+    while turns.more(&ahead) && ahead.at_name() {
+        ahead.bump();
+        if !ahead.eat(",") {
+            break;
+        }
+    }
+    input.next().at(",") && ahead.at(":") && !ahead.at("::")
+}
+
 /// Whether `: a, b: bool` is next.
 pub(super) fn lists_behind_colon(input: &Input) -> bool {
     let name = input.next();

@@ -121,10 +121,11 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
     if association::is_qualifier(&written) || written == "force" {
         return Vec::new();
     }
-    if start.at(":") {
+    if start.at(":") || start.at_word("step") && words::meant(&written).is_none() {
         return vec![first];
     }
-    let mut word = words::meant(&written).unwrap_or_default();
+    // `start, stop: bool`, where `start` is no word of ours.
+    let mut word = words::meant(&written).filter(|_| !start.at(",")).unwrap_or_default();
     // `initial step Off`: the name stands after the last of the words.
     let mut turns = Turns::default();
     while turns.more(&start)
@@ -142,13 +143,10 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
     }
     let is_list = matches!(word, "" | "input" | "output" | "var" | "param");
     let mut names = Vec::new();
-    while let Some(name) = start.eat_ident() {
-        names.push(name);
-        // In a list the comma may be what is missing.
-        if !start.eat(",") && !is_list {
-            break;
-        }
+    if word.is_empty() && start.eat(",") {
+        names.push(first);
     }
+    listed(&mut start, is_list, &mut names);
     // `speed: u32, direction: Direction`: several lists in one.
     let mut turns = Turns::default();
     while is_list && turns.more(&start) && !start.at(";") && !start.on_new_line() {
@@ -158,6 +156,23 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
         }
     }
     names
+}
+
+/// The names that stand next; in a list the comma may be what is missing, or one too many.
+fn listed(input: &mut Input, is_list: bool, names: &mut Vec<Ident>) {
+    let mut turns = Turns::default();
+    while turns.more(input) {
+        if let Some(name) = input.eat_ident() {
+            names.push(name);
+        } else if !is_list || input.at(":") || input.at(";") || input.on_new_line() {
+            return;
+        } else if !input.at(",") {
+            input.bump();
+        }
+        if !input.eat(",") && !is_list {
+            return;
+        }
+    }
 }
 
 /// Steps over attributes.
