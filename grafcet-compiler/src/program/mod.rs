@@ -82,6 +82,8 @@ pub struct Program<'m> {
     pub full: Vec<bool>,
     /// By step: which others may be active beside it, before and after each evolution; empty where all steps share a place.
     pub beside: Vec<Set<StepId>>,
+    /// Of two regions at a time, where the search over all of them tells more.
+    pub meetings: Vec<Meeting>,
     pub search: Search,
     pub cycle: Vec<Statement<'m>>,
     /// Of a chart that says `forceable;`: the cycle that leads into a situation by hand (A38).
@@ -90,6 +92,23 @@ pub struct Program<'m> {
     pub plants: Vec<Program<'m>>,
     /// Of a chart that uses time.
     pub deadline: Option<Deadline<'m>>,
+}
+
+/// Which states two regions may have together, before and after each evolution.
+pub struct Meeting {
+    pub regions: [usize; 2],
+    pub states: Set<[Option<StepId>; 2]>,
+}
+
+impl Meeting {
+    /// Whether a region may be in this state while another one is in that.
+    fn allows(&self, one: (usize, Option<StepId>), other: (usize, Option<StepId>)) -> bool {
+        match [one.0, other.0] {
+            regions if regions == self.regions => self.states.contains(&[one.1, other.1]),
+            [second, first] if [first, second] == self.regions => self.states.contains(&[other.1, one.1]),
+            _ => true,
+        }
+    }
 }
 
 /// What is known of the search for stability of a `grafcet` in which one step is active.

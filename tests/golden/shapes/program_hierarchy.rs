@@ -135,34 +135,33 @@ impl Cell {
             __CellRegion0::Stopped => {
                 outputs.alarm = true;
             }
-            _ => {}
-        }
-        core::sync::atomic::compiler_fence(
-            core::sync::atomic::Ordering::SeqCst,
-        );
-        match self.region_2 {
-            __CellRegion2::Fill => {
-                outputs.valve = true;
-            }
-            _ => {}
-        }
-        core::sync::atomic::compiler_fence(
-            core::sync::atomic::Ordering::SeqCst,
-        );
-        match self.region_3 {
-            __CellRegion3::Mix => {
-                outputs.mixer = true;
-            }
-            __CellRegion3::Rest => {
-                self.passed_mix = now.since(self.since_mix)
-                    >= Ticks::new(2000u32);
-                if now.since(self.since_mix) >= Ticks::new(2000u32)
-                {
-                    self.since_mix = now
-                        .since(Ticks::new(2000u32));
+            _ => {
+                match self.region_2 {
+                    __CellRegion2::Fill => {
+                        outputs.valve = true;
+                    }
+                    _ => {}
+                }
+                core::sync::atomic::compiler_fence(
+                    core::sync::atomic::Ordering::SeqCst,
+                );
+                match self.region_3 {
+                    __CellRegion3::Mix => {
+                        outputs.mixer = true;
+                    }
+                    __CellRegion3::Rest => {
+                        self.passed_mix = now.since(self.since_mix)
+                            >= Ticks::new(2000u32);
+                        if now.since(self.since_mix)
+                            >= Ticks::new(2000u32)
+                        {
+                            self.since_mix = now
+                                .since(Ticks::new(2000u32));
+                        }
+                    }
+                    _ => {}
                 }
             }
-            _ => {}
         }
         outputs.batches = self.batches;
         outputs

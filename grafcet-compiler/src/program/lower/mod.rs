@@ -139,6 +139,7 @@ fn program<'m>(
         regions,
         full,
         beside,
+        meetings: Vec::new(),
         search,
         cycle,
         forced,

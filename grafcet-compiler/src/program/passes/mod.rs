@@ -31,6 +31,7 @@
 //! - `records`: few outputs are one constant in each state
 //! - `working`: while a search goes on, the state is a local
 //! - `kinds`: in a long chart a table says what there is to do in a state
+//! - `nested`: what one region does stands with the states of another one beside which it does something
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
@@ -55,6 +56,7 @@ mod kinds;
 mod live;
 mod many;
 mod moved;
+mod nested;
 mod next;
 mod once;
 mod outputs;
@@ -116,12 +118,13 @@ pub enum Pass {
     Records,
     Working,
     Kinds,
+    Nested,
     Fences,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 30] = [
+    pub const ALL: [Self; 31] = [
         Self::Marks,
         Self::Decompose,
         Self::Outputs,
@@ -151,6 +154,7 @@ impl Pass {
         Self::Records,
         Self::Working,
         Self::Kinds,
+        Self::Nested,
         Self::Fences,
     ];
 
@@ -162,7 +166,14 @@ impl Pass {
     fn follows_cycles(self) -> bool {
         matches!(
             self,
-            Self::Known | Self::Told | Self::Moved | Self::Before | Self::Several | Self::Rounds | Self::Begun
+            Self::Known
+                | Self::Told
+                | Self::Moved
+                | Self::Before
+                | Self::Several
+                | Self::Rounds
+                | Self::Begun
+                | Self::Nested
         )
     }
 }
@@ -253,6 +264,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Kinds) {
         kinds::pass(program);
+    }
+    if wants(Pass::Nested) {
+        nested::pass(program);
     }
     if wants(Pass::Fences) {
         fences::pass(program);

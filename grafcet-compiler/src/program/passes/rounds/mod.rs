@@ -23,12 +23,12 @@
 //! together (`parts`).
 
 mod behind;
-mod emptied;
+mod meetings;
 mod owners;
 mod turn;
 
 use super::super::build::{differ, no, not};
-use super::super::{Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::super::{Expr, Initial, Meeting, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::read_after;
 use super::engine::Fact;
 use super::flat::flat;
@@ -38,7 +38,7 @@ use super::search::opened;
 use super::several::{Env, Several};
 use super::uses::{Effects, leaves, same};
 
-use emptied::emptied;
+use meetings::meetings;
 use turn::{Free, Turn};
 
 /// For each region so many truths tell at most what is done behind the ways of others.
@@ -53,7 +53,10 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let found = Cycle::of(program, &mut places);
     program.places = places;
     match found.and_then(|found| found.cycle(program)) {
-        Some(cycle) => program.cycle = cycle,
+        Some((cycle, meetings)) => {
+            program.cycle = cycle;
+            program.meetings = meetings;
+        }
         None => program.places.truncate(count),
     }
 }
@@ -130,7 +133,7 @@ impl<'m> Cycle<'m> {
         Some(Self { before, rounds, turn, end, behind, free: Free { moves, goes } })
     }
 
-    fn cycle(&self, program: &Program<'m>) -> Option<Vec<Statement<'m>>> {
+    fn cycle(&self, program: &Program<'m>) -> Option<(Vec<Statement<'m>>, Vec<Meeting>)> {
         let last = Several::over(program, read_after(program))?;
         let mut env = Env::of(&program.places);
         let mut touched = Effects::of_all(&self.before);
@@ -146,7 +149,7 @@ impl<'m> Cycle<'m> {
         }
         // Taken for granted, and taken back where a way leads elsewhere.
         let mut full: Vec<bool> = begin.iter().map(Option::is_some).collect();
-        let (mut body, behind) = loop {
+        let (mut body, behind, meetings) = loop {
             let mut env = env.clone();
             let mut last = Several::over(program, last.read_after.clone())?;
             last.full.clone_from(&full);
@@ -157,8 +160,8 @@ impl<'m> Cycle<'m> {
             let ties = Turn::of(&several, &self.turn, &self.free).ties(&env, &begin);
             several.ties = ties;
             let mut turn = Turn::of(&several, &self.turn, &self.free).statements(&env)?;
-            several.emptied = emptied(&several, &turn, &begin);
-            if !several.emptied.is_empty() {
+            several.meetings = meetings(&several, &turn, &begin);
+            if several.meetings.iter().any(|meeting| several.keeps_a_step(meeting)) {
                 several.renew(program);
                 turn = Turn::of(&several, &self.turn, &self.free).statements(&env)?;
             }
@@ -170,14 +173,14 @@ impl<'m> Cycle<'m> {
                 }
             }
             if !again {
-                break (turn, behind);
+                break (turn, behind, several.meetings);
             }
         };
         body.extend(self.end.iter().cloned());
         let mut cycle = self.before.clone();
         cycle.push(Statement::Loop { rounds: self.rounds, body });
         cycle.extend(behind);
-        Some(cycle)
+        Some((cycle, meetings))
     }
 
     /// What is read after the turn.

@@ -26,7 +26,7 @@ pub(super) use single::weight;
 
 use std::cell::Cell;
 
-use super::super::{Deadline, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::super::{Deadline, Expr, Initial, Meeting, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::read_after;
 use super::engine::{Among, Engine, Fact};
 use super::flat::flat;
@@ -93,16 +93,9 @@ pub(super) struct Several<'p, 'm> {
     pub(super) full: Vec<bool>,
     /// What a state tells of another region.
     pub(super) ties: Vec<Tie>,
-    pub(super) emptied: Vec<Emptied>,
+    pub(super) meetings: Vec<Meeting>,
     /// So many statements and places may still be looked at for conditions that are asked first.
     effort: Cell<usize>,
-}
-
-/// A region is without a step only beside some states of another one.
-pub(super) struct Emptied {
-    pub(super) region: usize,
-    pub(super) above: usize,
-    pub(super) beside: Set<Option<StepId>>,
 }
 
 /// Where one region has this state, another one has that.
@@ -143,7 +136,7 @@ impl<'p, 'm> Several<'p, 'm> {
             read_after,
             full: program.full.clone(),
             ties: Vec::new(),
-            emptied: Vec::new(),
+            meetings: Vec::new(),
             effort: Cell::new(effort(program)),
         })
     }

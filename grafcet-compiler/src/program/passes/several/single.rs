@@ -6,7 +6,7 @@ use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
 use super::super::uses::writes_to;
-use super::{Emptied, Env, Several, Tie};
+use super::{Env, Several, Tie};
 use crate::model::{Id, StepId};
 use crate::program::{Arm, PlaceId, Statement, Type, Value};
 
@@ -100,8 +100,8 @@ impl<'m> Several<'_, 'm> {
     fn with_a_step(&self, region: usize, (above, step): (usize, Option<StepId>), env: &Env) -> Option<Among> {
         let Fact::Among(list) = env.facts[self.states[region].0] else { return None };
         let mut states = env.lists[list].clone();
-        let has = |one: &Emptied| one.region == region && one.above == above && !one.beside.contains(&step);
-        if !states.contains(&None) || !self.emptied.iter().any(has) {
+        let has = self.meetings.iter().any(|meeting| !meeting.allows((above, step), (region, None)));
+        if !states.contains(&None) || !has {
             return None;
         }
         states.retain(Option::is_some);

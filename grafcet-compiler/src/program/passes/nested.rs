@@ -1,0 +1,180 @@
+//! What is done for one region stands with those states of another one beside which there is something to do.
+//!
+//! ```text
+//! match state.Safety                                 match state.Safety
+//!   Stopped: alarm = true                              Stopped: alarm = true
+//! match state.Modes                                    else:
+//!   Manual: manual = true                      ->        match state.Modes
+//! belt = belt || state.Modes is Manual && jog              Manual:
+//!                                                            manual = true
+//!                                                            belt = belt || jog
+//! ```
+//!
+//! An emergency stop leaves no mode, so nothing of a mode is asked for in it.
+//!
+//! Needs: no state is written any more, so that those are active together that the analysis has found; one block has all states beside which there
+//! is something to do.
+
+use super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Type, Value};
+use super::engine::Among;
+use super::fold::Known;
+use super::uses::{Effects, blocks_mut, is_pure};
+use crate::model::{Id, StepId};
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    if program.regions.len() < 2 || program.beside.is_empty() {
+        return;
+    }
+    let mut cycle = std::mem::take(&mut program.cycle);
+    let moves = |statement: &Statement<'_>| {
+        let is_state = |place: &PlaceId| matches!(program.places[place.0].role, Role::State(_));
+        Effects::of(statement).writes.iter().any(is_state)
+    };
+    let behind = cycle.iter().rposition(moves).map_or(0, |last| last + 1);
+    let mut acting = cycle.split_off(behind);
+    nest(program, &mut acting);
+    cycle.append(&mut acting);
+    program.cycle = cycle;
+}
+
+fn nest<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
+    sort(program, statements);
+    let mut all: Vec<Statement<'m>> = Vec::with_capacity(statements.len());
+    for statement in statements.drain(..) {
+        match all.last_mut().and_then(|above| home(program, above, &statement)) {
+            Some((block, known)) => block.push(known.map_or(statement.clone(), |beside| beside.folded(statement))),
+            None => all.push(statement),
+        }
+    }
+    for statement in &mut all {
+        for block in blocks_mut(statement) {
+            nest(program, block);
+        }
+    }
+    *statements = all;
+}
+
+/// Regions that are written first come first, as they are above others as a rule, where one of two neighbours can stand in the other one.
+fn sort<'m>(program: &Program<'m>, statements: &mut [Statement<'m>]) {
+    let region = |statement: &Statement<'m>| match statement {
+        Statement::Match(place, ..) => match program.places[place.0].role {
+            Role::State(region) => Some(region),
+            _ => None,
+        },
+        _ => None,
+    };
+    for end in (1..statements.len()).rev() {
+        for at in 0..end {
+            let (left, right) = statements.split_at_mut(at + 1);
+            let (one, other) = (&mut left[at], &mut right[0]);
+            let (Some(first), Some(second)) = (region(one), region(other)) else { continue };
+            if second < first && Effects::of(one).may_swap(&Effects::of(other)) && home(program, other, one).is_some() {
+                std::mem::swap(one, other);
+            }
+        }
+    }
+}
+
+/// The block of a match that has all states beside which a statement behind it does something, if there are others, and what is known in it.
+fn home<'s, 'p, 'm>(
+    program: &'p Program<'m>,
+    above: &'s mut Statement<'m>,
+    statement: &Statement<'m>,
+) -> Option<(&'s mut Vec<Statement<'m>>, Option<Beside<'p, 'm>>)> {
+    let Statement::Match(place, arms, otherwise) = above else { return None };
+    let Role::State(region) = program.places[place.0].role else { return None };
+    let mut states: Vec<Option<StepId>> = vec![];
+    states.extend(program.regions[region].iter().map(|step| Some(*step)));
+    if !program.full[region] {
+        states.push(None);
+    }
+    let count = states.len();
+    states.retain(|state| !Beside { program, place: *place, region, state: *state }.rests(statement));
+    let arm = |state: &Option<StepId>| arms.iter().position(|(values, _)| values.contains(&Value::Step(*state)));
+    let home = arm(states.first()?);
+    if states.len() == count || states.iter().any(|state| arm(state) != home) {
+        return None;
+    }
+    let Some(home) = home else { return Some((otherwise, None)) };
+    let known = (arms[home].0.len() == 1).then(|| Beside { program, place: *place, region, state: states[0] });
+    Some((&mut arms[home].1, known))
+}
+
+/// What is known while a region is in one of its states.
+struct Beside<'p, 'm> {
+    program: &'p Program<'m>,
+    place: PlaceId,
+    region: usize,
+    state: Option<StepId>,
+}
+
+impl<'m> Beside<'_, 'm> {
+    /// Whether a statement does nothing then.
+    fn rests(&self, statement: &Statement<'m>) -> bool {
+        match statement {
+            Statement::Match(place, arms, otherwise) => self
+                .possible(*place)
+                .is_some_and(|possible| possible.iter().all(|state| chosen(arms, otherwise, *state).is_empty())),
+            Statement::Set(place, value @ Expr::Any(parts)) => {
+                let is_kept = |part: &Expr<'m>| matches!(part, Expr::Place(of) if of == place);
+                let (kept, others): (Vec<&Expr<'m>>, Vec<&Expr<'m>>) = parts.iter().partition(|part| is_kept(part));
+                !kept.is_empty() && is_pure(value) && others.iter().all(|part| is_no(&self.fold(part)))
+            }
+            Statement::If(condition, _, otherwise) => {
+                otherwise.is_empty() && is_pure(condition) && is_no(&self.fold(condition))
+            }
+            _ => false,
+        }
+    }
+
+    /// The states that a region may be in.
+    fn possible(&self, place: PlaceId) -> Option<Among> {
+        let Type::State(region) = self.program.places[place.0].ty else { return None };
+        if place == self.place {
+            return Some(vec![self.state]);
+        }
+        let mut possible = Vec::new();
+        for step in &self.program.regions[region] {
+            if self.state.is_none_or(|state| self.program.beside[state.index()].contains(step)) {
+                possible.push(Some(*step));
+            }
+        }
+        if !self.program.full[region] {
+            possible.push(None);
+        }
+        let (meetings, here) = (&self.program.meetings, (self.region, self.state));
+        possible.retain(|state| meetings.iter().all(|meeting| meeting.allows(here, (region, *state))));
+        Some(possible)
+    }
+
+    fn folded(&self, statement: Statement<'m>) -> Statement<'m> {
+        match statement {
+            Statement::Set(place, value) => Statement::Set(place, self.fold(&value)),
+            other => other,
+        }
+    }
+
+    fn fold(&self, expr: &Expr<'m>) -> Expr<'m> {
+        let mut lists = Vec::with_capacity(self.program.places.len());
+        for place in 0..self.program.places.len() {
+            lists.push(self.possible(PlaceId(place)));
+        }
+        let known = Known {
+            places: &self.program.places,
+            value: &|_| None,
+            copy: &|_| None,
+            among: &|place| lists[place.0].as_ref(),
+            now: &|_| false,
+        };
+        known.fold(expr)
+    }
+}
+
+fn is_no(expr: &Expr<'_>) -> bool {
+    matches!(expr, Expr::Value(Value::Bool(false)))
+}
+
+fn chosen<'s, 'm>(arms: &'s [Arm<'m>], otherwise: &'s [Statement<'m>], state: Option<StepId>) -> &'s [Statement<'m>] {
+    let arm = arms.iter().find(|(values, _)| values.contains(&Value::Step(state)));
+    arm.map_or(otherwise, |(_, body)| body)
+}
