@@ -9,6 +9,7 @@
 #[path = "../../../tests/conformance/src/chart.rs"]
 #[allow(dead_code, unreachable_pub, reason = "a part of another test's crate")]
 mod chart;
+mod corpus;
 mod drawn;
 #[path = "../../../tests/conformance/src/fragments.rs"]
 #[allow(dead_code, unreachable_pub, clippy::format_collect, reason = "a part of another test's crate")]

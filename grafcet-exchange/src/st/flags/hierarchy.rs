@@ -18,13 +18,15 @@ pub(super) fn is_there(model: &Model) -> bool {
     !model.forces.is_empty() || model.partials.values().any(|partial| partial.enclosed_by.is_some())
 }
 
-/// The orders to a partial grafcet, each with all that give it: of two, one is given at a time.
+/// The orders to a partial grafcet, each with those beside each other that give it, the last one in the source first: it holds where two are given,
+/// to which an operator leads by hand or a plant that breaks an assumption.
 fn orders(model: &Model, target: PartialId) -> Vec<(&ForceOrder, Vec<&Force>)> {
     let mut orders: Vec<(&ForceOrder, Vec<&Force>)> = Vec::new();
-    for force in model.forces.values().filter(|force| force.target == target) {
-        match orders.iter_mut().find(|(order, _)| **order == force.order) {
-            Some((_, forces)) => forces.push(force),
-            None => orders.push((&force.order, vec![force])),
+    let given: Vec<&Force> = model.forces.values().filter(|force| force.target == target).collect();
+    for force in given.into_iter().rev() {
+        match orders.last_mut() {
+            Some((order, forces)) if **order == force.order => forces.insert(0, force),
+            _ => orders.push((&force.order, vec![force])),
         }
     }
     orders

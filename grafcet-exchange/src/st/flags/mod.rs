@@ -20,6 +20,7 @@ mod situation;
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::analysis::combinational::in_order;
 use grafcet_compiler::analysis::hierarchy::initial_situation;
 use grafcet_compiler::model::{Effect, Id, Model, PartialId, Place, StepId, TransitionId};
 use grafcet_compiler::sorted::Set;
@@ -166,8 +167,16 @@ impl<'m> Flags<'m> {
         let mut before = self.frame.edges(&mut self.scope, &self.started)?;
         before.extend(self.frame.delays(&mut self.scope)?);
         let timers = self.timers();
-        let copies: Vec<Statement> =
-            self.before.iter().map(|(place, copy)| Statement::assign(&**copy, self.scope.place(*place))).collect();
+        let follows: BTreeSet<Place> = in_order(model).into_iter().map(Place::Var).collect();
+        let mut copies: Vec<Statement> = Vec::new();
+        for (place, copy) in &self.before {
+            let mut value = Text::word(self.scope.place(*place));
+            // Before the initial situation is activated, no step is.
+            if follows.contains(place) {
+                value = all(vec![Text::word(&*self.started), value]);
+            }
+            copies.push(Statement::assign(&**copy, value.text));
+        }
         let mut program = Program { name, ..Program::default() };
         program.inputs.push(Variable::new(&*self.init, "BOOL").note("back into the initial situation"));
         let mut frame = std::mem::take(&mut self.frame);
