@@ -165,3 +165,21 @@ fn times_of_initial_steps_begin_with_the_first_cycle() {
     assert!(program.to_string().contains("since.A = now"), "{program}");
     each_left_out(&model, &drawn(&[("a", false), ("b", false)], 60), 60);
 }
+
+/// What a region does is asked for beside those states of another one alone beside which it does something, if these have one block.
+#[test]
+fn what_nothing_is_done_for_is_not_asked() {
+    let text = |order: &str| {
+        let chart = format!(
+            "grafcet Stop {{ input stop, ack, go, jog: bool; output alarm, manual, belt: bool;
+                partial Safety {{ initial step Ready; step Stopped {{ force Modes {order}; alarm; }}
+                    Ready -[stop]-> Stopped -[!stop && ack]-> Ready; }}
+                partial Modes {{ initial step Manual {{ manual; belt if jog; }} step Auto {{ belt; }}
+                    Manual -[go && !stop]-> Auto -[!go && !stop]-> Manual; }} }}"
+        );
+        optimised(&read(&chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string()
+    };
+    let [emptied, manual] = ["{}", "{INIT}"].map(text);
+    assert!(emptied.contains("    Stopped: alarm = true\n    else:\n      match state.Manual\n"), "{emptied}");
+    assert!(manual.contains("    Stopped: alarm = true\n  fence\n  match state.Manual\n"), "{manual}");
+}
