@@ -5,8 +5,8 @@ use crate::model::{ActionId, AssociationId, DelayId, EdgeId, MacroId, OutputId, 
 /// What a field holds. A target of the action control (A31) is named by its first association.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Held {
-    /// Which of these steps is active: behind them there may be a state for none of them, and one for "the first cycle is still to come".
-    Situation(Vec<StepId>),
+    /// Which of these steps are active together, by state: behind them there may be a state for none of them, and one for "the first cycle is still to come".
+    Situation(Vec<Vec<StepId>>),
     /// A bit for each of these steps, and where it has one for the start, another that says that the first cycle is still to come.
     Flags {
         /// In the order of the bits.

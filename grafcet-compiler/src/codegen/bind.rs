@@ -321,7 +321,12 @@ impl Cx<'_> {
 
     /// `__MotorState::Off`
     pub(super) fn variant(&self, step: StepId) -> TokenStream {
-        let region = self.names.region(self.plan.regions.of_step(step), self.plan);
+        self.variant_of(step, self.plan.regions.of_step(step))
+    }
+
+    /// The state that is named after a step, in a region that is perhaps another one's.
+    pub(super) fn variant_of(&self, step: StepId, region: RegionId) -> TokenStream {
+        let region = self.names.region(region, self.plan);
         let step = names::private_variant(self.model, step);
         quote!(#region::#step)
     }

@@ -5,7 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 use super::bind::Moment;
 use super::machine::Machine;
 use super::situation::{At, shown_in};
-use super::state::step_name;
+use super::state::{StateEnum, step_name};
 use super::{Cx, deadline, derives, late, names, recipe, requirements, types, unreached};
 use crate::list::List;
 use crate::model::{Id, Name, Read, StepId};
@@ -21,7 +21,7 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (situation_type, situation) = (situation_type(cx), &machine.situation);
     let (stable, deadline, late) = (is_stable(cx, machine), deadline::method(cx, machine), late::method(cx, machine));
     let (ticks, assumptions) = (ticks(cx), assumptions_hold(cx));
-    let (situation_struct, levels) = (situation_struct(cx), types::levels(model));
+    let (situation_struct, levels) = (situation_struct(cx, machine), types::levels(model));
     let unreached = unreached::allowed(model);
     quote! {
         #situation_struct
@@ -241,6 +241,29 @@ fn is_active(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     quote!(match step { #(#arms)* })
 }
 
+impl Cx<'_> {
+    /// Whether a state is one of some, or the one in front of the first cycle.
+    pub(super) fn is_one_of(
+        &self,
+        state: &TokenStream,
+        states: &[TokenStream],
+        start: Option<TokenStream>,
+    ) -> TokenStream {
+        let p = &self.p;
+        match states {
+            [] => quote!(false),
+            [one] => {
+                let starting = start.map(|start| quote!(|| #state == #start));
+                quote!(#state == #one #starting)
+            }
+            _ => {
+                let start = start.map(|start| quote!(| #start));
+                quote!(#p::core::matches!(#state, #(#states)|* #start))
+            }
+        }
+    }
+}
+
 /// Whether the chart's state holds a step.
 pub(super) fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
     let region = cx.plan.regions.of_step(step);
@@ -313,14 +336,14 @@ pub(super) fn one_by_one(cx: &Cx<'_>, active: impl Iterator<Item = TokenStream>)
 }
 
 /// `MotorSituation`: the states of all regions.
-fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
+fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     if cx.plan.one_step {
         return None;
     }
     let Cx { model, p, names, plan, .. } = cx;
     let (vis, name, step, chart) = (&model.vis, &names.situation, &names.step, &names.chart);
-    let fields = (0..plan.regions.all().len()).map(|region| {
-        let (field, ty) = (names::region_field(region, plan), cx.names.region(region, plan));
+    let fields = machine.regions.iter().map(|StateEnum { region, .. }| {
+        let (field, ty) = (names::region_field(*region, plan), cx.names.region(*region, plan));
         quote!(#field: #ty,)
     });
     let fields: TokenStream = if cx.plan.shape.is_flags() {
@@ -335,8 +358,11 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
             let active = shown_in(id);
             return quote!(#step => #active,);
         }
-        let (field, variant) = (names::region_field(plan.regions.of_step(id), plan), cx.variant(id));
-        quote!(#step => self.#field == #variant,)
+        let (region, states) = &machine.homes[id.index()];
+        let field = names::region_field(*region, plan);
+        let states = states.iter().map(|state| cx.variant_of(*state, *region)).list();
+        let active = cx.is_one_of(&quote!(self.#field), &states, None);
+        quote!(#step => #active,)
     });
     let derives = derives::of_states().users(model, &["Default"]);
     let doc = format!("A situation of [`{}`]: which steps are active.", model.name);

@@ -1,35 +1,50 @@
 //! What the documentation of a chart's type says about its encoding.
 
-use super::{Cx, names};
+use super::machine::Machine;
+use super::state::StateEnum;
+use super::{Cx, names, state};
 use crate::list::{List, PushAll};
-use crate::plan::{Region, RegionId};
+use crate::model::{Id, StepId};
 
 /// How many sets of steps, and of each how many steps, are named.
 const NAMED: usize = 8;
 
 impl Cx<'_> {
     /// How the situation is stored and in how many bytes; nothing for a chart without steps.
-    pub(super) fn encoding(&self) -> Option<String> {
-        let regions = self.plan.regions.all();
-        if regions.is_empty() {
+    pub(super) fn encoding(&self, machine: &Machine<'_>) -> Option<String> {
+        if self.plan.regions.all().is_empty() {
             return None;
         }
         if self.plan.shape.is_flags() {
             return Some(self.encoding_of_flags());
         }
-        let bytes = bytes((0..regions.len()).map(|region| self.region_bytes(region)).sum());
-        let [region] = regions else {
-            let mut sets: Vec<_> = regions.iter().take(named(regions.len())).map(|region| self.set(region)).list();
-            sets.push_all(more(regions.len()));
-            let sets = sets.join("\n- ");
+        let regions = &machine.regions;
+        let bytes = bytes(regions.iter().map(|region| self.region_bytes(region)).sum());
+        let sets = regions.iter().map(|StateEnum { region, .. }| {
+            let homes = self.model.steps.ids().zip(&machine.homes);
+            homes.filter(|(_, (home, _))| home == region).map(|(step, _)| step).list()
+        });
+        let sets: Vec<Vec<StepId>> = sets.list();
+        let is_united = sets.iter().any(|steps| is_united(machine, steps));
+        let [steps] = &sets[..] else {
+            let all = sets.iter().zip(regions).take(named(sets.len()));
+            let mut listed: Vec<_> = all.map(|(steps, region)| self.set(machine, steps, region)).list();
+            listed.push_all(more(sets.len()));
+            let (sets, unless) =
+                (listed.join("\n- "), if is_united { ", unless it says in how many ways" } else { "" });
             return Some(format!(
                 "The situation takes {bytes}: for each of these sets of steps, which of them is active, if any. No two of \
-                 a set are active together.\n\n- {sets}"
+                 a set are active together{unless}.\n\n- {sets}"
             ));
         };
+        let region = &self.plan.regions.all()[0];
         let active = if region.may_be_empty { "is active, if any" } else { "is active" };
-        Some(match region.steps.len() {
+        Some(match steps.len() {
             1 => format!("The situation takes {bytes}: whether its step {active}."),
+            count if is_united => format!(
+                "The situation takes {bytes}: in which of {} ways its {count} steps are active.",
+                regions[0].states.len()
+            ),
             count => format!("The situation takes {bytes}: which of its {count} steps {active}."),
         })
     }
@@ -51,19 +66,25 @@ impl Cx<'_> {
     }
 
     /// The size of a region's field.
-    fn region_bytes(&self, region: RegionId) -> usize {
-        let states = self.states(region);
+    fn region_bytes(&self, region: &StateEnum) -> usize {
+        let states = state::variants(self, region).len();
         // The mark of an unstable search stands above the states.
-        let values = if self.is_marked(region) { 2 * states.next_power_of_two() } else { states };
+        let values = if region.marked { 2 * states.next_power_of_two() } else { states };
         if values > 256 { 2 } else { 1 }
     }
 
     /// `` `Fill`, `Heat` ``
-    fn set(&self, region: &Region) -> String {
-        let named = region.steps.iter().take(named(region.steps.len()));
+    fn set(&self, machine: &Machine<'_>, steps: &[StepId], region: &StateEnum) -> String {
+        let named = steps.iter().take(named(steps.len()));
         let named = named.map(|step| format!("`{}`", names::private_variant(self.model, *step)));
-        named.and(more(region.steps.len())).list().join(", ")
+        let set = named.and(more(steps.len())).list().join(", ");
+        if is_united(machine, steps) { format!("{set}: in {} ways", region.states.len()) } else { set }
     }
+}
+
+/// Whether some of the steps are active together.
+fn is_united(machine: &Machine<'_>, steps: &[StepId]) -> bool {
+    steps.iter().any(|step| machine.homes[step.index()].1 != [*step])
 }
 
 /// How many of so many are named: a last single one takes no more room than the words that there is one more.

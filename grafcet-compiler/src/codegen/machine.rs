@@ -7,6 +7,7 @@ use super::{Cx, chart_impl, names, state};
 use crate::list::List;
 use crate::model::{StepId, Ty};
 use crate::place::quote;
+use crate::plan::RegionId;
 
 /// The state of a chart and the code of its cycle.
 pub(super) struct Machine<'m> {
@@ -29,6 +30,8 @@ pub(super) struct Machine<'m> {
     pub(super) evolve: Option<TokenStream>,
     /// By step: whether it is active.
     pub(super) active: Vec<TokenStream>,
+    /// By step: the region whose state tells that, and the names of the states in which it is.
+    pub(super) homes: Vec<(RegionId, Vec<StepId>)>,
     /// The body of `situation`.
     pub(super) situation: TokenStream,
     /// Whether the last search became stable.
@@ -80,6 +83,7 @@ impl<'m> Machine<'m> {
             forced: cx.forced_body(),
             evolve: cx.evolve_function(),
             active: model.steps.ids().map(|step| chart_impl::holds(cx, step)).list(),
+            homes: model.steps.ids().map(|step| (plan.regions.of_step(step), vec![step])).list(),
             situation: chart_impl::situation(cx),
             stable: if plan.may_be_unstable { cx.is_unmarked() } else { quote!(true) },
             deadline: cx.deadline(),

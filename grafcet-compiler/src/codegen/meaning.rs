@@ -21,7 +21,10 @@ impl Cx<'_> {
             ));
         }
         for region in 0..plan.regions.all().len() {
-            held.push((names::region_field(region, plan).to_string(), Held::Situation(self.steps_of(region))));
+            held.push((
+                names::region_field(region, plan).to_string(),
+                Held::Situation(self.steps_of(region).into_iter().map(|step| vec![step]).list()),
+            ));
             held.push((names::step_time(region, plan).to_string(), Held::Time(self.steps_of(region))));
         }
         held.push(("settled".to_owned(), Held::Deadline));
@@ -90,7 +93,10 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
     let all = || -> Vec<AssociationId> { program.model.associations.ids().list() };
     let steps = |region: usize| program.regions[region].clone();
     Some(match role {
-        Role::State(region) => Held::Situation(steps(region)),
+        Role::State(region) => {
+            let states = program.states(region).into_iter().map(|state| program.active_in(region, state));
+            Held::Situation(states.list())
+        }
         Role::First => Held::First,
         Role::Stable | Role::Settled | Role::Before | Role::Passed(_) => Held::Deadline,
         Role::Bit(_)

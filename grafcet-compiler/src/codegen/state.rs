@@ -5,13 +5,15 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use super::machine::{Field, Machine};
 use super::{Cx, derives, names, recipe, types};
 use crate::list::List;
+use crate::model::StepId;
 use crate::place::quote;
 use crate::plan::RegionId;
 
 /// The enum of a region: the steps, of which at most one is active, what it has beside them, and how it is stored.
-#[derive(Clone, Copy)]
 pub(super) struct StateEnum {
     pub(super) region: RegionId,
+    /// Its states, by the steps they are named after.
+    pub(super) states: Vec<StepId>,
     /// None of the steps may be active.
     pub(super) empty: bool,
     /// The first cycle may be still to come.
@@ -32,6 +34,7 @@ pub(super) fn regions(cx: &Cx<'_>) -> Vec<StateEnum> {
     let enums = if cx.plan.shape.is_flags() { 0 } else { cx.plan.regions.all().len() };
     let states = |region: RegionId| StateEnum {
         region,
+        states: cx.plan.regions.all()[region].steps.clone(),
         empty: cx.plan.regions.all()[region].may_be_empty,
         start: cx.has_start_variant(region),
         marked: cx.is_marked(region),
@@ -42,7 +45,7 @@ pub(super) fn regions(cx: &Cx<'_>) -> Vec<StateEnum> {
 
 /// The variants of a region's enum.
 pub(super) fn variants(cx: &Cx<'_>, states: &StateEnum) -> Vec<Ident> {
-    let steps = cx.plan.regions.all()[states.region].steps.iter().map(|step| names::private_variant(cx.model, *step));
+    let steps = states.states.iter().map(|step| names::private_variant(cx.model, *step));
     let empty = states.empty.then(|| cx.names.empty.clone());
     let start = states.start.then(|| cx.names.start.clone());
     steps.and(empty).and(start).list()
@@ -197,7 +200,7 @@ pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));
-    let encoding = cx.encoding().map(|text| format!("\n\n{text}"));
+    let encoding = cx.encoding(machine).map(|text| format!("\n\n{text}"));
     let encoding = encoding.map(|text| quote!(#[doc = #text]));
     let drawing = super::description::drawing(cx);
     quote! {
@@ -278,7 +281,7 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
 }
 
 /// `MotorStep::Off`
-pub(super) fn step_name(cx: &Cx<'_>, step: crate::model::StepId) -> TokenStream {
+pub(super) fn step_name(cx: &Cx<'_>, step: StepId) -> TokenStream {
     let (names, step) = (&cx.names.step, &cx.model.steps[step].name);
     quote!(#names::#step)
 }

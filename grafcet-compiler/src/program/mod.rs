@@ -20,6 +20,7 @@ pub mod passes;
 mod print;
 #[cfg(feature = "program")]
 pub mod run;
+mod united;
 
 use crate::analysis::Facts;
 use crate::model::{
@@ -30,6 +31,7 @@ use crate::sorted::{Set, sort_unstable};
 
 pub use deadline::{Deadline, Wait};
 pub use lower::{Encoding, Refused, counted, naive};
+pub use united::United;
 
 /// A program may have so many statements for each thing that is written in its chart.
 const LEAN: usize = 2;
@@ -86,6 +88,8 @@ pub struct Program<'m> {
     pub beside: Vec<Set<StepId>>,
     /// Of two regions at a time, where the search over all of them tells more.
     pub meetings: Vec<Meeting>,
+    /// Which regions share a place.
+    pub united: Vec<United>,
     pub search: Search,
     pub cycle: Vec<Statement<'m>>,
     /// Of a chart that says `forceable;`: the cycle that leads into a situation by hand (A38).
@@ -402,7 +406,9 @@ impl Program<'_> {
         let mut active = Vec::new();
         for (place, value) in self.places.iter().zip(values) {
             match (place.role, value) {
-                (Role::State(_), Value::Step(Some(step)) | Value::Start(Some(step))) => active.push(*step),
+                (Role::State(region), Value::Step(Some(state)) | Value::Start(Some(state))) => {
+                    active.extend(self.active_in(region, *state));
+                }
                 (Role::Bit(step), Value::Bool(true)) => active.push(step),
                 _ => {}
             }

@@ -3,7 +3,7 @@
 use std::fmt::{self, Display, Formatter, Write as _};
 
 use super::{Comparison, Expr, Fence, Initial, Mark, Phase, PlaceId, Program, Statement, Type, User, Value, Wait};
-use crate::model::{Binary, Model, Read, Tree, Ty, Unary};
+use crate::model::{Binary, Model, Read, StepId, Tree, Ty, Unary};
 
 /// No line of the list of locals is longer.
 const WIDTH: usize = 120;
@@ -64,13 +64,22 @@ impl Program<'_> {
             Type::Kind { .. } => "kind".to_owned(),
             Type::Phase => "phase".to_owned(),
             Type::State(region) => {
-                let steps = self.regions.get(region).into_iter().flatten();
-                let names: Vec<String> = steps.map(|step| self.model.steps[*step].name.to_string()).collect();
-                names.join(" | ")
+                let name = |state: &StepId| match &self.active_in(region, *state)[..] {
+                    [_] => self.model.steps[*state].name.to_string(),
+                    steps => self.joint(*state, steps),
+                };
+                self.states(region).iter().map(name).collect::<Vec<_>>().join(" | ")
             }
             Type::User(Ty::Int { rust, .. } | Ty::Other(rust)) => spaced(&quote::quote!(#rust).to_string()),
             Type::User(_) => "?".to_owned(),
         }
+    }
+
+    /// `Wait (Ready, Auto)`
+    fn joint(&self, state: StepId, steps: &[StepId]) -> String {
+        let name = |step: StepId| self.model.steps[step].name.to_string();
+        let others = steps.iter().filter(|step| **step != state).map(|step| name(*step));
+        format!("{} ({})", name(state), others.collect::<Vec<_>>().join(", "))
     }
 
     fn initial(&self, place: PlaceId) -> String {

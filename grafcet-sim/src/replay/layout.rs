@@ -149,11 +149,11 @@ impl Field {
     /// Reads its bits.
     fn read(&self, bits: &mut Reader<'_>, recalled: &mut Recalled) -> Result<(), String> {
         match (&self.width, &self.what) {
-            (Width::States(states, marked), Some(Held::Situation(steps))) => {
+            (Width::States(states, marked), Some(Held::Situation(active))) => {
                 let place = bits.take(bits_for(states.len())).ok_or_else(torn)? as usize;
                 bits.take(usize::from(*marked)).ok_or_else(torn)?;
-                match (steps.get(place), states.get(place)) {
-                    (Some(step), _) => _ = recalled.steps.insert(*step),
+                match (active.get(place), states.get(place)) {
+                    (Some(steps), _) => recalled.steps.extend(steps.iter().copied()),
                     // Behind the steps: none of them, or that the first cycle is still to come.
                     (None, Some(state)) => recalled.first |= state == "INIT",
                     (None, None) => return Err(torn()),

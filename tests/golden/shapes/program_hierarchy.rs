@@ -19,7 +19,7 @@ impl Cell {
         };
         let first: bool = self.region_0 == __CellRegion0::INIT;
         if first {
-            self.region_0 = __CellRegion0::Ready;
+            self.region_0 = __CellRegion0::Idle;
         }
         let edge0_now: bool = inputs.ack;
         if first {
@@ -29,35 +29,41 @@ impl Cell {
         loop {
             let mut moves_39_: bool = false;
             match self.region_0 {
-                __CellRegion0::Ready => {
-                    if inputs.estop {
-                        self.region_0 = __CellRegion0::Stopped;
+                __CellRegion0::Stopped => {
+                    if !inputs.estop && !self.edge0_before && edge0_now {
                         moves_39_ = true;
-                        self.region_1 = __CellRegion1::NONE;
-                        self.region_2 = __CellRegion2::NONE;
+                        self.region_0 = __CellRegion0::Restart;
+                    }
+                }
+                __CellRegion0::Restart => {
+                    self.region_0 = __CellRegion0::Idle;
+                    moves_39_ = true;
+                }
+                _ => {
+                    if inputs.estop {
+                        moves_39_ = true;
+                        self.region_0 = __CellRegion0::Stopped;
                         self.region_3 = __CellRegion3::NONE;
                     } else {
-                        match self.region_1 {
-                            __CellRegion1::Idle => {
+                        match self.region_0 {
+                            __CellRegion0::Idle => {
                                 if inputs.start {
-                                    self.region_1 = __CellRegion1::Batch;
                                     moves_39_ = true;
-                                    self.region_2 = __CellRegion2::Fill;
+                                    self.region_0 = __CellRegion0::Fill;
                                     self.region_3 = __CellRegion3::Mix;
                                     self.since_mix = now;
                                 }
                             }
-                            __CellRegion1::Batch => {
-                                if self.region_2 == __CellRegion2::Filled && !inputs.start {
-                                    self.region_1 = __CellRegion1::Idle;
+                            _ => {
+                                if self.region_0 == __CellRegion0::Filled && !inputs.start {
                                     moves_39_ = true;
-                                    self.region_2 = __CellRegion2::NONE;
+                                    self.region_0 = __CellRegion0::Idle;
                                     self.region_3 = __CellRegion3::NONE;
                                 } else {
-                                    match self.region_2 {
-                                        __CellRegion2::Fill => {
+                                    match self.region_0 {
+                                        __CellRegion0::Fill => {
                                             if inputs.full {
-                                                self.region_2 = __CellRegion2::Settle;
+                                                self.region_0 = __CellRegion0::Settle;
                                                 let next_batches: core::primitive::u16 = {
                                                     #[allow(unused_variables)]
                                                     let batches = self.batches;
@@ -68,11 +74,11 @@ impl Cell {
                                                 self.since_fill = now;
                                             }
                                         }
-                                        __CellRegion2::Settle => {
+                                        __CellRegion0::Settle => {
                                             if now.since(self.since_fill)
                                                 >= Ticks::new(5000u32)
                                             {
-                                                self.region_2 = __CellRegion2::Filled;
+                                                self.region_0 = __CellRegion0::Filled;
                                                 moves_39_ = true;
                                             }
                                         }
@@ -105,22 +111,9 @@ impl Cell {
                                     }
                                 }
                             }
-                            _ => {}
                         }
                     }
                 }
-                __CellRegion0::Stopped => {
-                    if !inputs.estop && !self.edge0_before && edge0_now {
-                        self.region_0 = __CellRegion0::Restart;
-                        moves_39_ = true;
-                        self.region_1 = __CellRegion1::Idle;
-                    }
-                }
-                __CellRegion0::Restart => {
-                    self.region_0 = __CellRegion0::Ready;
-                    moves_39_ = true;
-                }
-                _ => {}
             }
             if !moves_39_ {
                 break;
@@ -136,8 +129,8 @@ impl Cell {
                 outputs.alarm = true;
             }
             _ => {
-                match self.region_2 {
-                    __CellRegion2::Fill => {
+                match self.region_0 {
+                    __CellRegion0::Fill => {
                         outputs.valve = true;
                     }
                     _ => {}

@@ -68,7 +68,7 @@ impl<'m> Printer<'_, 'm> {
             Expr::Now => (quote!(now), Binds::Term),
             Expr::Is(place, steps) => {
                 let state = self.get(*place);
-                let variants = steps.iter().map(|step| self.cx.variant(*step)).list();
+                let variants = steps.iter().map(|step| self.state(*place, *step)).list();
                 match &variants[..] {
                     // What only a step does that is never entered.
                     [] => (quote!(false), Binds::Term),
@@ -78,7 +78,7 @@ impl<'m> Printer<'_, 'm> {
             }
             Expr::Not(inner) => match &**inner {
                 Expr::Is(place, steps) if steps.len() == 1 => {
-                    let (state, variant) = (self.get(*place), self.cx.variant(steps[0]));
+                    let (state, variant) = (self.get(*place), self.state(*place, steps[0]));
                     (quote!(#state != #variant), Binds::Compare)
                 }
                 inner => {

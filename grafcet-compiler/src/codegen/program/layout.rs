@@ -109,7 +109,7 @@ impl Layout {
             Type::State(region) => {
                 let states = self.regions[region];
                 let none = !states.empty || has(Value::Step(None));
-                let all = program.regions[region].iter().all(|step| has(Value::Step(Some(*step))));
+                let all = program.states(region).iter().all(|state| has(Value::Step(Some(*state))));
                 all && none && states.start.is_none_or(|Start(seen)| has(Value::Start(seen)))
             }
             Type::Phase => {
@@ -124,8 +124,8 @@ impl Layout {
     pub(super) fn states(&self, program: &Program<'_>, ty: Type<'_>) -> Vec<Value> {
         let Type::State(region) = ty else { return Vec::new() };
         let mut all = Vec::new();
-        for step in &program.regions[region] {
-            all.push(Value::Step(Some(*step)));
+        for state in program.states(region) {
+            all.push(Value::Step(Some(state)));
         }
         let states = self.regions[region];
         all.push_all(states.empty.then_some(Value::Step(None)));

@@ -84,6 +84,7 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
         forced: bodies.forced.as_deref().map(|forced| printer.cycle(forced)),
         evolve: None,
         active: cx.model.steps.ids().map(|step| printer.is_active(step)).list(),
+        homes: cx.model.steps.ids().map(|step| program.home(step)).list(),
         situation: printer.situation(),
         stable: program.place(Role::Stable).map_or_else(|| quote!(true), |stable| printer.get(stable)),
         deadline: program.deadline.as_ref().map(|deadline| printer.deadline(deadline)),
@@ -154,8 +155,12 @@ impl<'m> Printer<'_, 'm> {
     fn regions(&self) -> Vec<StateEnum> {
         let (mut regions, mark) = (Vec::new(), self.layout.mark);
         for (region, states) in self.layout.regions.iter().enumerate() {
+            if self.program.place(Role::State(region)).is_none() {
+                continue;
+            }
             regions.push(StateEnum {
                 region,
+                states: self.program.states(region),
                 empty: states.empty,
                 start: states.start.is_some(),
                 marked: region == 0 && mark.is_some(),
@@ -166,19 +171,16 @@ impl<'m> Printer<'_, 'm> {
     }
 
     fn is_active(&self, step: StepId) -> TokenStream {
-        let region = self.cx.plan.regions.of_step(step);
+        let (region, states) = self.program.home(step);
         let place = self.program.place(Role::Bit(step)).or_else(|| self.program.place(Role::State(region)));
         let Some(place) = place else { return quote!(false) };
         if self.cx.plan.shape.is_flags() {
             return self.get(place);
         }
-        let (state, variant) = (self.get(place), self.cx.variant(step));
-        let starts = self.layout.regions[region].start == Some(Start(Some(step)));
-        let starting = starts.then(|| {
-            let start = self.start(region);
-            quote!(|| #state == #start)
-        });
-        quote!(#state == #variant #starting)
+        let starts = matches!(self.layout.regions[region].start, Some(Start(Some(seen))) if states.contains(&seen));
+        let start = starts.then(|| self.start(region));
+        let states = states.iter().map(|state| self.cx.variant_of(*state, region)).list();
+        self.cx.is_one_of(&self.get(place), &states, start)
     }
 
     /// The body of `situation`.
@@ -190,7 +192,7 @@ impl<'m> Printer<'_, 'm> {
         let state = |region| self.program.place(Role::State(region)).map(|place| self.get(place));
         if !cx.plan.one_step {
             let name = &cx.names.situation;
-            let regions = (0..cx.plan.regions.all().len()).map(|region| {
+            let regions = self.regions().into_iter().map(|StateEnum { region, .. }| {
                 let (field, state) = (names::region_field(region, cx.plan), state(region));
                 let Some(Start(seen)) = self.layout.regions[region].start else { return quote!(#field: #state,) };
                 let (start, seen) = (self.start(region), self.variant(seen, region));

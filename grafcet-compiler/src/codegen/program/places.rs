@@ -176,9 +176,17 @@ impl<'m> Printer<'_, 'm> {
         types.list()
     }
 
-    /// The variant of a step.
+    /// The state of a place that is named after a step.
+    pub(super) fn state(&self, place: PlaceId, step: StepId) -> TokenStream {
+        match self.info(place).ty {
+            Type::State(region) => self.cx.variant_of(step, region),
+            _ => self.cx.variant(step),
+        }
+    }
+
+    /// The variant of a state.
     pub(super) fn variant(&self, step: Option<StepId>, region: usize) -> TokenStream {
-        step.map_or_else(|| self.cx.empty(region), |step| self.cx.variant(step))
+        step.map_or_else(|| self.cx.empty(region), |step| self.cx.variant_of(step, region))
     }
 
     /// The variant for "the first cycle is still to come".

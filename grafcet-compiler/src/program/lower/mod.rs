@@ -140,6 +140,7 @@ fn program<'m>(
         full,
         beside,
         meetings: Vec::new(),
+        united: Vec::new(),
         search,
         cycle,
         forced,

@@ -138,7 +138,7 @@ impl Uses {
 }
 
 /// Takes away the places that nothing mentions, and numbers the others anew.
-fn drop_places(program: &mut Program<'_>) {
+pub(super) fn drop_places(program: &mut Program<'_>) {
     let mut used = vec![false; program.places.len()];
     for cycle in program.cycles() {
         each_asked(cycle, &mut |place| used[place.0] = true);

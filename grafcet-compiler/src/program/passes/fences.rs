@@ -15,6 +15,7 @@
 //!   instructions so, and 558 and 35.6 with a fence in front of that and one behind the search.
 //! - On ARMv6-M a jump table has a word for each step as long as anything behind the jump asks for the step that it went by, else a byte: a fence in front of what asks has
 //!   it read anew, and plating takes 533 bytes instead of 709. On other processors that would cost instructions alone.
+//! - The same where a state is asked for once more within what has been found of it (`united`): the packer takes 564 bytes instead of 604.
 //! - Four neighbours that are written together become a call of `memset` on a processor without unaligned stores.
 
 use super::super::{Expr, Fence, PlaceId, Program, Role, Statement, Type};
@@ -29,6 +30,9 @@ const SHORT: usize = 24;
 /// From so many steps on a jump table of words is worth a fence.
 const LONG: usize = 10;
 
+/// From so many arms on a match may become a jump table.
+const TABLE: usize = 4;
+
 /// Neighbours that LLVM writes one by one.
 const NEIGHBOURS: usize = 3;
 
@@ -41,7 +45,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
         return;
     }
     let mut cycle = std::mem::take(&mut program.cycle);
-    block(program, &mut cycle);
+    block(program, &mut cycle, None);
     if let (Some(at), false) = (cycle.iter().position(is_search), program.model.inputs.is_empty()) {
         cycle.insert(at + 1, Statement::Fence(Fence::Memory));
         cycle.insert(at, Statement::Fence(Fence::Inputs));
@@ -111,21 +115,31 @@ fn from_field(statement: &mut Statement<'_>, state: PlaceId) {
     }
 }
 
-fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
+/// Whether the state of several regions, which has been asked for, is asked for once more by what may become a jump table.
+fn asks_again(program: &Program<'_>, around: &[PlaceId], statement: &Statement<'_>) -> bool {
+    let Statement::Match(place, arms, _) = statement else { return false };
+    let is_united = program.united.iter().any(|one| program.place(Role::State(one.regions[0])) == Some(*place));
+    is_united && arms.len() >= TABLE && around.contains(place)
+}
+
+/// In a search, within matches on some places.
+fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, within: Option<&[PlaceId]>) {
     let mut all: Vec<Statement<'m>> = Vec::with_capacity(statements.len());
     let mut neighbours = 0;
     for mut statement in statements.drain(..) {
         match &mut statement {
-            Statement::Part(_, body) | Statement::Loop { body, .. } => block(program, body),
+            Statement::Part(_, body) => block(program, body, within),
+            Statement::Loop { body, .. } => block(program, body, within.or(Some(&[]))),
             Statement::If(_, then, otherwise) => {
-                block(program, then);
-                block(program, otherwise);
+                block(program, then, within);
+                block(program, otherwise, within);
             }
-            Statement::Match(_, arms, otherwise) => {
+            Statement::Match(place, arms, otherwise) => {
+                let within = within.map(|around| [around, &[*place]].concat());
                 for (_, body) in arms {
-                    block(program, body);
+                    block(program, body, within.as_deref());
                 }
-                block(program, otherwise);
+                block(program, otherwise, within.as_deref());
             }
             _ => {}
         }
@@ -144,6 +158,8 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
         } else if neighbours > NEIGHBOURS {
             all.push(Statement::Fence(Fence::Memory));
             neighbours = 1;
+        } else if within.is_some_and(|around| asks_again(program, around, &statement)) {
+            all.push(Statement::Fence(Fence::Armv6m));
         }
         all.push(statement);
     }

@@ -32,6 +32,8 @@
 //! - `working`: while a search goes on, the state is a local
 //! - `kinds`: in a long chart a table says what there is to do in a state
 //! - `nested`: what one region does stands with the states of another one beside which it does something
+//! - `united`: regions that have few states together share one place
+//! - `arms`: what is done in one state alone stands in its arm
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
@@ -40,6 +42,7 @@
 
 mod alike;
 mod among;
+mod arms;
 mod before;
 mod begun;
 mod branches;
@@ -77,6 +80,7 @@ mod store;
 mod straight;
 mod tables;
 mod told;
+mod united;
 mod uses;
 mod working;
 
@@ -119,12 +123,14 @@ pub enum Pass {
     Working,
     Kinds,
     Nested,
+    United,
+    Arms,
     Fences,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 31] = [
+    pub const ALL: [Self; 33] = [
         Self::Marks,
         Self::Decompose,
         Self::Outputs,
@@ -155,6 +161,8 @@ impl Pass {
         Self::Working,
         Self::Kinds,
         Self::Nested,
+        Self::United,
+        Self::Arms,
         Self::Fences,
     ];
 
@@ -174,6 +182,7 @@ impl Pass {
                 | Self::Rounds
                 | Self::Begun
                 | Self::Nested
+                | Self::United
         )
     }
 }
@@ -267,6 +276,12 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Nested) {
         nested::pass(program);
+    }
+    if wants(Pass::United) {
+        united::pass(program);
+    }
+    if wants(Pass::Arms) {
+        arms::pass(program);
     }
     if wants(Pass::Fences) {
         fences::pass(program);

@@ -12,12 +12,17 @@
 
 use super::super::build::{all, any, no, not, yes};
 use super::super::{Expr, Program, Statement, Value};
-use super::uses::{blocks, is_pure, same};
+use super::uses::{blocks, is_pure, same, same_block};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
-    block(&mut cycle, &mut Way::default());
+    statements(&mut cycle);
     program.cycle = cycle;
+}
+
+/// The same for some statements by themselves.
+pub(super) fn statements(statements: &mut Vec<Statement<'_>>) {
+    block(statements, &mut Way::default());
 }
 
 /// So many conditions are tried to be taken apart within one that is: each has what stands behind it looked at twice more.
@@ -89,6 +94,10 @@ fn branches<'m>(
     under(&mut then, &condition, true, way);
     let mut plain = otherwise.clone();
     under(&mut plain, &condition, false, way);
+    if same_block(&then, &plain) && is_pure(&condition) {
+        new.append(&mut then);
+        return;
+    }
     let Some((first, rest)) = first(&condition).filter(|(first, _)| is_asked(&otherwise, first) && way.may_try())
     else {
         new.push(Statement::If(condition, then, plain));

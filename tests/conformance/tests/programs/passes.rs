@@ -13,7 +13,7 @@ use grafcet_compiler::program::{Encoding, Role, Statement, naive};
 use grafcet_conformance::program::{Outcome, compare, program as optimised, sleeps};
 use grafcet_conformance::reader;
 
-use super::regions::{CELL, PLANT};
+use super::regions::{BOXES, CELL, PLANT};
 use super::{read, recorded};
 /// A small chart for each pass: its program in front of it and after it, as pseudo-code.
 #[test]
@@ -73,6 +73,8 @@ fn each_pass_is_as_recorded() {
         (Pass::Working, stairs),
         (Pass::Kinds, &small_belt()),
         (Pass::Nested, PLANT),
+        (Pass::United, BOXES),
+        (Pass::Arms, BOXES),
         (Pass::Fences, pair),
     ] {
         let model = read(chart);

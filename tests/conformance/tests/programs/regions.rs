@@ -59,8 +59,7 @@ fn what_an_order_empties_is_empty_beside_it_alone() {
     };
     for (restart, beside) in [("force Modes {INIT};", false), ("", true)] {
         let model = read(&chart(restart));
-        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
-        let text = program.to_string();
+        let text = optimised(&model, Encoding::Regions, &before(Pass::United)).expect("a program").to_string();
         let (_, search) = text.split_once("loop").expect("a search");
         assert_eq!(search.contains("none:"), beside, "{restart}: {text}");
         each_left_out(&model, &storm(&["stop", "a", "b"], 200), 0);
@@ -177,9 +176,59 @@ fn what_nothing_is_done_for_is_not_asked() {
                 partial Modes {{ initial step Manual {{ manual; belt if jog; }} step Auto {{ belt; }}
                     Manual -[go && !stop]-> Auto -[!go && !stop]-> Manual; }} }}"
         );
-        optimised(&read(&chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string()
+        optimised(&read(&chart), Encoding::Regions, &before(Pass::United)).expect("a program").to_string()
     };
     let [emptied, manual] = ["{}", "{INIT}"].map(text);
     assert!(emptied.contains("    Stopped: alarm = true\n    else:\n      match state.Manual\n"), "{emptied}");
-    assert!(manual.contains("    Stopped: alarm = true\n  fence\n  match state.Manual\n"), "{manual}");
+    assert!(manual.contains("    Stopped: alarm = true\n  match state.Manual\n"), "{manual}");
+}
+
+/// The passes in front of one.
+fn before(pass: Pass) -> Vec<Pass> {
+    Pass::ALL.into_iter().take_while(|other| *other != pass).collect()
+}
+
+/// A stop above two modes, one of which encloses a sequence; a part beside them that only the sequence waits for.
+pub(super) const BOXES: &str = "grafcet Boxes { input stop, ack, auto, a, b, c: bool; output p, q, r, s, t: bool; output n: bool = false; \
+     partial Safety { initial step Ready; step Stopped { force Modes {}; p; } step Restart { force Modes {INIT}; } \
+       Ready -[stop]-> Stopped -[!stop && rising(ack)]-> Restart -[true]-> Ready; } \
+     partial Modes { initial step Manual { q; } enclosing step Auto { partial Work { linked step Wait { r; } step Fill { s if Side::Off.X; } step Turn; \
+       step Close { P1 n = !n; } step Leave { q if Auto.X; } \
+       Wait -[a && !b]-> Fill -[b]-> Turn -[3ms/Turn]-> Close -[c && Side::Off.X]-> Leave -[!a]-> Wait; } } \
+       Manual -[rising(auto)]-> Auto -[!auto && !c && Work::Wait.X]-> Manual; } \
+     partial Side { initial step Off; step On { t if Modes::Auto.X; } Off -[ack && Modes::Auto.X]-> On -[!ack && Safety::Ready.X]-> Off; } }";
+
+/// Regions that have no more states together than steps are one place, if each way leads to one of its states: a stop leaves no mode, and what an enclosing step encloses is
+/// within one of them.
+#[test]
+fn regions_that_go_together_share_a_place() {
+    let places = |chart: &str| {
+        let model = read(chart);
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let states = program.places.iter().filter(|place| matches!(place.role, Role::State(_))).count();
+        (states, program.united.iter().map(|united| united.regions.clone()).collect::<Vec<_>>())
+    };
+    assert_eq!(places(BOXES), (2, vec![vec![0, 1, 2]]));
+    // A mode that outlives the stop is a state of its own beside it.
+    assert_eq!(places(&BOXES.replacen("force Modes {};", "force Modes {*};", 1)), (3, vec![vec![1, 2]]));
+    // In each state of the sequence the part beside it may be in each of its own.
+    assert_eq!(places(CELL), (2, vec![vec![0, 1, 2]]));
+    // By hand a chart is led to any situation.
+    assert_eq!(places(&BOXES.replacen("input stop", "forceable; input stop", 1)).0, 4);
+    let inputs = [("stop", true), ("ack", false), ("auto", false), ("a", false), ("b", false), ("c", false)];
+    each_left_out(&read(BOXES), &drawn(&inputs, 400), 200);
+}
+
+/// What is done in one state alone is asked in its arm, and nothing behind it.
+#[test]
+fn a_condition_of_one_state_stands_in_its_arm() {
+    // The part beside the sequence rests in all other states.
+    let chart = BOXES.replacen("Safety::Ready.X", "Modes::Auto.X", 1);
+    let chart = chart.replacen("force Modes {};", "force Modes {}; force Side {};", 1);
+    let chart = chart.replacen("Manual { q; }", "Manual { force Side {INIT}; q; }", 1);
+    let text = optimised(&read(&chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string();
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let arm = "Wait: if !auto && !c: moves.45 = true state.Ready = Manual state.Off = Off break else if a && !b:";
+    assert!(words.contains(arm), "{text}");
+    assert!(!text.contains("state.Ready is Wait"), "{text}");
 }
