@@ -22,6 +22,8 @@ struct Mention {
     name: Ident,
     ty: TokenStream,
     plant: usize,
+    /// What is named of it.
+    named: String,
     what: Seen,
     /// As it is written.
     text: String,
@@ -93,7 +95,7 @@ impl Mentions {
     pub(super) fn name(&self, system: &mut Model) {
         let rename = |expr: &mut Expr| {
             for mention in &self.all {
-                expr.text = expr.text.replace(&mention.name.to_string(), &mention.text);
+                expr.text = replace_word(&expr.text, &mention.name.to_string(), &mention.text);
             }
         };
         let properties = system.properties.iter_mut().map(|property| &mut property.claim);
@@ -147,9 +149,13 @@ impl Replacer<'_> {
                                        output for what matters";
                         self.sink.notation(name, message);
                     }
-                    let stands_for = self.mention(plant, name, is_x || is_t);
+                    let mut stands_for = self.mention(plant, name, is_x || is_t);
+                    let length = if is_x || is_t { 6 } else { 4 };
+                    // All of it, where whoever reads the source can say so.
+                    let whole = all[at].span().join(all[at + length - 1].span());
+                    stands_for.set_span(whole.unwrap_or_else(|| name.span()));
                     out.extend([TokenTree::Ident(stands_for)]);
-                    at += if is_x || is_t { 6 } else { 4 };
+                    at += length;
                 }
                 _ => {
                     match &all[at] {
@@ -170,9 +176,14 @@ impl Replacer<'_> {
     /// The input that stands for something of a plant.
     fn mention(&mut self, plant: usize, name: &Ident, is_step: bool) -> Ident {
         let model = self.plants[plant];
-        let stands_for = Ident::new(&format!("__{}_{name}", model.name), name.span());
-        if self.all.iter().any(|mention| mention.name == stands_for) {
-            return stands_for;
+        let named = name.to_string();
+        if let Some(known) = self.all.iter().find(|mention| mention.plant == plant && mention.named == named) {
+            return known.name.clone();
+        }
+        let mut stands_for = Ident::new(&format!("__{}_{name}", model.name).replace("r#", ""), name.span());
+        // `Arm::Up_In` and `Arm_Up::In`.
+        while self.all.iter().any(|mention| mention.name == stands_for) {
+            stands_for = Ident::new(&format!("{stands_for}_"), name.span());
         }
         let bool = quote!(bool);
         let what = self.find(model, name, is_step);
@@ -191,7 +202,7 @@ impl Replacer<'_> {
         let field = if is_step { ".X" } else { "" };
         let text = format!("{}::{name}{field}", model.name);
         let what = what.unwrap_or(Seen::Step(crate::model::Id::new(0)));
-        self.all.push(Mention { name: stands_for.clone(), ty, plant, what, text });
+        self.all.push(Mention { name: stands_for.clone(), ty, plant, named, what, text });
         stands_for
     }
 
@@ -214,6 +225,20 @@ impl Replacer<'_> {
         self.sink.notation(name, format!("the plant `{}` has nothing that is called `{name}`{hint}", model.name));
         None
     }
+}
+
+/// A name in a text, and no part of a longer one.
+fn replace_word(text: &str, word: &str, by: &str) -> String {
+    let is_part = |letter: Option<char>| letter.is_some_and(|letter| letter.is_alphanumeric() || letter == '_');
+    let (mut replaced, mut rest) = (String::new(), text);
+    while let Some(at) = rest.find(word) {
+        let (before, behind) = (&rest[..at], &rest[at + word.len()..]);
+        let whole = !is_part(before.chars().next_back()) && !is_part(behind.chars().next());
+        replaced.push_str(before);
+        replaced.push_str(if whole { by } else { word });
+        rest = behind;
+    }
+    replaced + rest
 }
 
 fn values(model: &Model) -> Vec<Name> {
