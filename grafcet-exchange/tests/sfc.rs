@@ -5,7 +5,6 @@ mod common;
 use common::model;
 use grafcet_exchange::sfc::textual;
 
-/// A chart that the compiler accepts.
 /// The program without its header, its lines without what is said behind them.
 fn program(chart: &str) -> Vec<String> {
     let done = textual(&model(chart)).expect("a translation");
@@ -265,4 +264,29 @@ fn what_has_no_translation() {
         let refused = textual(&model(chart)).expect_err(chart);
         assert!(refused.iter().any(|one| one.message.contains(why)), "{chart}: {refused:?}");
     }
+}
+
+/// A comment ends where it ends, also for a compiler that lets comments stand within comments; and what is left out is said as it is.
+#[test]
+fn what_is_said_in_comments() {
+    let chart = "
+        /// Stops (* at once *) (*)
+        sfc C {
+            /// (* on
+            input a: bool; output q: bool;
+            initial step A; step B within 5s { q if B.late; }
+            A -[a]-> B -[!a || B.late]-> A;
+        }";
+    let text = textual(&model(chart)).expect("a translation").text;
+    assert!(text.starts_with("(* Stops ( * at once * ) ( * ) *)\n"), "{text}");
+    assert!(text.contains("  a : BOOL; (* ( * on *)\n"), "{text}");
+    for line in text.lines() {
+        let count = |sign: &str| line.matches(sign).count();
+        assert!(count("(*") <= 1 && count("(*") == count("*)"), "{line}");
+    }
+    let late = "(* Left out: `within` of B; where a condition asks whether one is late, it is there. *)\n";
+    assert!(text.contains(late), "{text}");
+    let options = grafcet_exchange::st::Options::default();
+    let text = grafcet_exchange::st::structured_text(&model(chart), &options).expect("a translation").text;
+    assert!(text.contains(&format!("// {}", &late[3..late.len() - 4])), "{text}");
 }
