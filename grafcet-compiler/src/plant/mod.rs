@@ -124,6 +124,7 @@ fn system(call: &Call, sink: &mut Sink) -> Option<Model> {
     let mentions = mentions::replaced(call, &models, sink);
     let chart = parse::chart(mentions.tokens.clone(), sink)?;
     let mut system = model::resolve(&chart, sink);
+    sink.reword(&|text| mentions.said(text));
     mentions::only_in_claims(&system, &mentions, sink);
     let (driven, wires) = wires::of(&system, &list, sink);
     let watched = mentions.watched(&system);

@@ -355,4 +355,7 @@ fn names_of_plants_do_not_meet() {
     let model = read(&chart(said));
     let Claim::Never(never) = &model.properties[0].claim else { panic!("a `never`") };
     assert_eq!(format!("never {};", never.text), said);
+    // Rust that nobody looks into, too.
+    let model = read(&chart("never matches!(Arm::Up.X, true);"));
+    assert!(!format!("{:?}", model.properties[0].claim.violation()).contains("__Arm"));
 }
