@@ -55,8 +55,12 @@ impl Net {
                 return Err(format!("transitions {left:?} clear, and do not fire"));
             };
             let (from, to) = &self.transitions[left.remove(at)];
-            from.iter().for_each(|place| self.tokens[*place] -= 1);
-            to.iter().for_each(|place| self.tokens[*place] += 1);
+            for place in from {
+                self.tokens[*place] -= 1;
+            }
+            for place in to {
+                self.tokens[*place] += 1;
+            }
         }
         let active = |place| u32::from(evolution.after.iter().any(|step| step.index() == place));
         let expected: Vec<u32> = (0..self.tokens.len()).map(active).collect();
