@@ -290,3 +290,19 @@ fn what_is_said_in_comments() {
     let text = grafcet_exchange::st::structured_text(&model(chart), &options).expect("a translation").text;
     assert!(text.contains(&format!("// {}", &late[3..late.len() - 4])), "{text}");
 }
+
+/// Structured text has the variants of a list as numbers; that SFC has not is said so.
+#[test]
+fn lists_of_variants() {
+    let chart = "sfc C { input mode: Mode in {Off, Auto}; initial step A; step B; A -[mode == Mode::Auto]-> B -[mode == Mode::Off]-> A; }";
+    let refused = textual(&model(chart)).expect_err("a list");
+    let messages: Vec<String> = refused.into_iter().map(|refused| refused.message).collect();
+    assert_eq!(
+        messages,
+        [
+            "`mode` is a variant of a list, which structured text has as a number (`cargo grafcet export st`) and SFC has not; use an integer"
+        ]
+    );
+    let options = grafcet_exchange::st::Options::default();
+    assert!(grafcet_exchange::st::structured_text(&model(chart), &options).is_ok());
+}
