@@ -172,12 +172,12 @@ pub mod __private {
 
     pub use __by_edition as by_edition;
     pub use __under as under;
-    #[cfg(feature = "record")]
-    pub use grafcet_core::__recorded as recorded;
     pub use grafcet_core::fence::fence_on_armv6m;
     #[cfg(feature = "record")]
     pub use grafcet_core::record::Blocked;
     pub use grafcet_core::values::{copied, default_value, is_same, name_at};
+    #[cfg(feature = "record")]
+    pub use grafcet_core::{__recorded as recorded, __recorded_stub as recorded_stub};
     pub use grafcet_core::{
         ActiveSteps, Chart, Delay, ForceError, Forceable, OnDelay, OutOfRange, Phase, Possible, ShortTime, Ticks,
         description, earlier, phase, situation, sooner, until, until_change,

@@ -55,7 +55,8 @@ pub(crate) fn run(options: &Import) -> Result<Outcome, Failure> {
         if errors > 0 {
             let file = options.output.as_ref().map_or("FILE".into(), |file| file.display().to_string());
             complain(&format!(
-                "note: the compiler has {errors} errors about it, which `cargo grafcet check {file}` shows"
+                "note: the compiler has {} about it, which `cargo grafcet check {file}` shows",
+                if errors == 1 { "an error".to_owned() } else { format!("{errors} errors") }
             ));
         }
     }

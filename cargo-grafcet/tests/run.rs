@@ -78,6 +78,22 @@ fn what_says_nothing() {
     }
 }
 
+/// A property is said as it stands in the source, also where it begins or ends with a plant.
+#[test]
+fn what_is_said_of_plants() {
+    let claims = ["never Rest.X && Ram::Low.X", "Ram::Low before Lower", "always Ram::_up => !lower || Rest.X"];
+    let charts = format!(
+        "grafcet! {{ sfc Press {{ input start, top: bool; output lower: bool; initial step Rest; step Lower {{ lower; }} Rest -[start && top]-> Lower -[!top]-> Rest; {}; }}
+         plant Ram {{ input lower: bool; output top: bool; var _up: bool; initial step High {{ top; N _up; }} step Low; High -[lower]-> Low -[!lower]-> High; }} }}",
+        claims.join("; ")
+    );
+    let folder = folder(&[("charts.rs", &charts)]);
+    let done = tool(folder.path(), &["prove", "charts.rs"]);
+    for claim in claims {
+        assert!(done.out.lines().any(|line| line.ends_with(&format!(": {claim}"))), "{claim}: {done:?}");
+    }
+}
+
 #[test]
 fn what_is_covered() {
     let files =

@@ -176,7 +176,10 @@ fn by(
     let items = match sound {
         Some(sound) => generate(&sound),
         // What could not be read may be where the time is used.
-        _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
+        _ => {
+            let timed = model.uses_time() || chart.incomplete && parse::mentions_time(written);
+            codegen::stub(&model, timed, wanted.recorded, root)
+        }
     };
     let sound = !sink.has_errors();
     Compiled { messages: sink.finish(), items, sound }

@@ -345,3 +345,26 @@ END_PROGRAM
     let begin = done.rust.find("grafcet! {").expect("a call");
     assert!(done.rust[begin..].parse::<proc_macro2::TokenStream>().is_ok(), "{}", done.rust);
 }
+
+/// What the file shares with others is written here as an output; that others write it, too, is said.
+#[test]
+fn what_belongs_to_others_too() {
+    let text = "FUNCTION_BLOCK Counts
+VAR_INPUT go : BOOL; END_VAR
+VAR_IN_OUT total, limit : INT; END_VAR
+VAR_EXTERNAL alarm, mode : BOOL; END_VAR
+INITIAL_STEP Rest: END_STEP
+STEP Run: Count(P1); alarm(S); END_STEP
+TRANSITION FROM Rest TO Run := go AND total < limit; END_TRANSITION
+TRANSITION FROM Run TO Rest := NOT go OR mode; END_TRANSITION
+ACTION Count: total := total + 1; END_ACTION
+END_FUNCTION_BLOCK
+";
+    let done = imported(text);
+    for declared in ["input mode: bool;", "input limit: i16;", "output total: i16;", "output alarm: bool;"] {
+        assert!(done.rust.contains(declared), "{declared}\n{}", done.rust);
+    }
+    let notes: Vec<&str> = done.charts[0].notes.iter().map(|note| &*note.message).collect();
+    let seen = "is an output: what others write to it is not seen; what the chart has to know of that is an input";
+    assert_eq!(notes, [format!("`total`, an in-out variable, {seen}"), format!("`alarm`, a global variable, {seen}")]);
+}

@@ -81,6 +81,53 @@ fn what_is_no_net() {
     assert!(pnml(&model(&chart.replace("force Work {INIT};", ""))).is_ok());
 }
 
+/// What a net would show otherwise: branches that clear together, a step that is activated once more, an `any` beside parallel branches.
+#[test]
+fn what_a_net_does_otherwise() {
+    let refused = |chart: &str| {
+        let refused = pnml(&model(chart)).err().into_iter().flatten();
+        refused.map(|refused| refused.message).collect::<Vec<String>>()
+    };
+    let branches = |conditions: [&str; 2]| {
+        let [one, other] = conditions;
+        format!(
+            "grafcet C {{ input a, b: bool; initial step A; step B; step C; A -[{one}]-> B; A -[{other}]-> C; B -[!a]-> A; C -[!b]-> A; }}"
+        )
+    };
+    let together = refused(&branches(["a", "b"]));
+    assert_eq!(
+        together,
+        [
+            "two branches of `A` may clear together, and a Petri net gives the token to one of them: let their conditions exclude each other, or write `else`"
+        ]
+    );
+    for apart in [["a", "b && !a"], ["a", "else"]] {
+        assert_eq!(refused(&branches(apart)), [""; 0]);
+    }
+    assert_eq!(refused(&branches(["a", "b"]).replace("grafcet C", "sfc C")), [""; 0]);
+    let source = "grafcet C { input a, b: bool; initial step A; step B; () -[rising(a)]-> A -[b]-> B -[!b]-> (); }";
+    let twice = "may be activated while it is active, which changes nothing in the chart and makes a second token in a Petri net";
+    assert_eq!(refused(source), [format!("`A` {twice}"), format!("`B` {twice}")]);
+    let any = |also: &str| {
+        format!(
+            "sfc C {{ input a, b, stop: bool; initial step A; step B; step C; step D1; step Halt; A -[a]-> (B, C); B -[b]-> D1; (D1, C) -[!a]-> A;
+             any except ({also}) -[stop]-> Halt -[!stop]-> A; }}"
+        )
+    };
+    assert_eq!(
+        refused(&any("A")),
+        [
+            "`any` leaves all that is active at once, such as `B` and `C`, and a transition of a Petri net takes the same tokens each time"
+        ]
+    );
+    assert_eq!(refused(&any("B, C, D1")), [""; 0]);
+    // What is shared goes to one of both.
+    let shared =
+        "grafcet C { input a, b: bool; initial step Free; initial step A; initial step B; step Left; step Right;
+        (Free, A) -[a]-> Left -[!a]-> (Free, A); (Free, B) -[b && !(A.X && a)]-> Right -[!b]-> (Free, B); }";
+    assert_eq!(refused(shared), [""; 0]);
+}
+
 /// What the grammar of nets of places and transitions (`ptnet.pntd` and the core model it builds on) asks of an element: its attributes, and its children
 /// with how many of each there may be. The grammar is in RELAX NG, and no validator of that for Rust is known to be well kept.
 const GRAMMAR: [Element; 9] = [

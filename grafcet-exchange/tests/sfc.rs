@@ -5,7 +5,6 @@ mod common;
 use common::model;
 use grafcet_exchange::sfc::textual;
 
-/// A chart that the compiler accepts.
 /// The program without its header, its lines without what is said behind them.
 fn program(chart: &str) -> Vec<String> {
     let done = textual(&model(chart)).expect("a translation");
@@ -265,4 +264,45 @@ fn what_has_no_translation() {
         let refused = textual(&model(chart)).expect_err(chart);
         assert!(refused.iter().any(|one| one.message.contains(why)), "{chart}: {refused:?}");
     }
+}
+
+/// A comment ends where it ends, also for a compiler that lets comments stand within comments; and what is left out is said as it is.
+#[test]
+fn what_is_said_in_comments() {
+    let chart = "
+        /// Stops (* at once *) (*)
+        sfc C {
+            /// (* on
+            input a: bool; output q: bool;
+            initial step A; step B within 5s { q if B.late; }
+            A -[a]-> B -[!a || B.late]-> A;
+        }";
+    let text = textual(&model(chart)).expect("a translation").text;
+    assert!(text.starts_with("(* Stops ( * at once * ) ( * ) *)\n"), "{text}");
+    assert!(text.contains("  a : BOOL; (* ( * on *)\n"), "{text}");
+    for line in text.lines() {
+        let count = |sign: &str| line.matches(sign).count();
+        assert!(count("(*") <= 1 && count("(*") == count("*)"), "{line}");
+    }
+    let late = "(* Left out: `within` of B; where a condition asks whether one is late, it is there. *)\n";
+    assert!(text.contains(late), "{text}");
+    let options = grafcet_exchange::st::Options::default();
+    let text = grafcet_exchange::st::structured_text(&model(chart), &options).expect("a translation").text;
+    assert!(text.contains(&format!("// {}", &late[3..late.len() - 4])), "{text}");
+}
+
+/// Structured text has the variants of a list as numbers; that SFC has not is said so.
+#[test]
+fn lists_of_variants() {
+    let chart = "sfc C { input mode: Mode in {Off, Auto}; initial step A; step B; A -[mode == Mode::Auto]-> B -[mode == Mode::Off]-> A; }";
+    let refused = textual(&model(chart)).expect_err("a list");
+    let messages: Vec<String> = refused.into_iter().map(|refused| refused.message).collect();
+    assert_eq!(
+        messages,
+        [
+            "`mode` is a variant of a list, which structured text has as a number (`cargo grafcet export st`) and SFC has not; use an integer"
+        ]
+    );
+    let options = grafcet_exchange::st::Options::default();
+    assert!(grafcet_exchange::st::structured_text(&model(chart), &options).is_ok());
 }

@@ -11,8 +11,8 @@ use crate::place::{self, quote};
 use crate::sorted::Set;
 use syn::{Attribute, Ident};
 
-/// The public items of a chart, with empty bodies. `timed` where `cycle` takes the time.
-pub(crate) fn stub(model: &Model, timed: bool, root: &TokenStream) -> TokenStream {
+/// The public items of a chart, with empty bodies. `timed` where `cycle` takes the time, `recorded` where a program may record the chart.
+pub(crate) fn stub(model: &Model, timed: bool, recorded: bool, root: &TokenStream) -> TokenStream {
     let root = place::moved(root);
     let p = quote!(#root::__private);
     let names = Names::of(model);
@@ -23,7 +23,16 @@ pub(crate) fn stub(model: &Model, timed: bool, root: &TokenStream) -> TokenStrea
     let mentions = editor::mentions(model, &names, &p);
     let copied = requirements::copied(model, &p);
     let copied = (!copied.is_empty()).then(|| quote!(const _: () = { #copied };));
-    quote!(#records #enums #methods #uniform #mentions #copied)
+    let recorded = recorded.then(|| {
+        let Names { chart, inputs, .. } = &names;
+        quote! {
+            #p::recorded_stub! { #chart #inputs }
+            impl #p::Blocked for #chart {
+                fn blocked(&self) -> impl #p::core::iter::Iterator<Item = #p::usize> { #p::core::iter::empty() }
+            }
+        }
+    });
+    quote!(#records #enums #methods #uniform #recorded #mentions #copied)
 }
 
 /// The chart, its inputs, outputs and recipe.
@@ -197,6 +206,9 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
 fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, step, transition, actions, .. } = names;
     let name = model.name.to_string();
+    // Who asks for the first one gets it.
+    let mut seen = Set::new();
+    let all = model.steps.values().map(|step| &step.name).filter(|step| seen.insert(step.to_string())).list();
     let actions = if model.actions.is_empty() { quote!(()) } else { quote!(dyn #actions + 'a) };
     let forceable = model.forceable.then(|| {
         quote! {
@@ -228,7 +240,7 @@ fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             type Situation = #step;
             type Actions<'a> = #actions;
             const NAME: &'static #p::str = #name;
-            const STEPS: &'static [#step] = &[];
+            const STEPS: &'static [#step] = &[#(#step::#all),*];
             const TRANSITIONS: &'static [#transition] = &[];
             fn scan(&mut self, inputs: &#inputs, now: #p::Ticks, actions: &mut Self::Actions<'_>) -> #outputs { loop {} }
             fn init(&mut self) {}

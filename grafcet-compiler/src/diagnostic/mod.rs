@@ -64,6 +64,13 @@ impl Sink {
         });
     }
 
+    /// Changes what has been said so far.
+    pub(crate) fn reword(&mut self, change: &dyn Fn(&str) -> String) {
+        for (_, message) in self.diagnostics.iter_mut().flat_map(|one| &mut one.notes) {
+            *message = change(message);
+        }
+    }
+
     /// Takes over an error of `syn`, all its messages.
     pub fn syn(&mut self, error: &syn::Error) {
         for part in error {

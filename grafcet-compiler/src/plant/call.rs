@@ -65,6 +65,27 @@ impl Call {
         self.plants[..plant].iter().any(|other| other.name == *name).then_some("a plant")
     }
 
+    /// The partial grafcets of the chart, those within enclosing steps among them.
+    pub(super) fn partials(&self) -> Vec<String> {
+        fn within(tokens: TokenStream, names: &mut Vec<String>) {
+            let all = tokens.into_iter().list();
+            for (at, token) in all.iter().enumerate() {
+                match (token, all.get(at + 1), all.get(at + 2)) {
+                    (TokenTree::Ident(word), Some(TokenTree::Ident(name)), Some(body))
+                        if word == "partial" && is_braces(body) =>
+                    {
+                        names.push(name.to_string());
+                    }
+                    (TokenTree::Group(group), ..) => within(group.stream(), names),
+                    _ => {}
+                }
+            }
+        }
+        let mut names = Vec::new();
+        within(self.body.clone(), &mut names);
+        names
+    }
+
     pub(crate) fn names(&self) -> Vec<String> {
         self.plants.iter().map(|plant| plant.name.to_string()).list()
     }

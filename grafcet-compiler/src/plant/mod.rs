@@ -92,11 +92,18 @@ pub(crate) fn items(
     (tokens, messages)
 }
 
-/// A chart and its plants that have one name could not be told apart.
+/// A chart and its plants that have one name could not be told apart, nor a plant and a partial grafcet in front of the name of a step.
 fn named_once(call: &Call, sink: &mut Sink) {
+    let partials = call.partials();
     for (index, plant) in call.plants.iter().enumerate() {
+        let name = &plant.name;
         if let Some(other) = call.namesake(index) {
-            sink.notation(&plant.name, format!("{other} of this call is called `{}` already", plant.name));
+            sink.notation(name, format!("{other} of this call is called `{name}` already"));
+        } else if partials.contains(&name.to_string()) {
+            let message = format!(
+                "a partial grafcet of the chart is called `{name}` already, and `{name}::…` in a claim would be either of them"
+            );
+            sink.notation(name, message);
         }
     }
 }
@@ -117,6 +124,7 @@ fn system(call: &Call, sink: &mut Sink) -> Option<Model> {
     let mentions = mentions::replaced(call, &models, sink);
     let chart = parse::chart(mentions.tokens.clone(), sink)?;
     let mut system = model::resolve(&chart, sink);
+    sink.reword(&|text| mentions.said(text));
     mentions::only_in_claims(&system, &mentions, sink);
     let (driven, wires) = wires::of(&system, &list, sink);
     let watched = mentions.watched(&system);

@@ -28,7 +28,8 @@ pub(super) struct Plain {
 }
 
 pub(super) fn plain(plant: &Written, call: &Call, sink: &mut Sink) -> Plain {
-    let mut body = Plainer { free: Vec::new(), declared: TokenStream::new(), sink };
+    let taken = declared_names(plant.body.stream());
+    let mut body = Plainer { free: Vec::new(), taken, declared: TokenStream::new(), sink };
     let inside = body.items(plant.body.stream());
     let Plainer { free, declared, .. } = body;
     let (before, name, clock) = (&plant.before, &plant.name, clock(&call.body));
@@ -91,8 +92,29 @@ fn clock(chart: &TokenStream) -> TokenStream {
     TokenStream::new()
 }
 
+/// The names behind `input`, `output`, `var`, `fault` and `choice`.
+fn declared_names(body: TokenStream) -> Vec<String> {
+    let mut names = Vec::new();
+    let all = body.into_iter().list();
+    for item in all.split(|token| is_sign(Some(token), ';')) {
+        // A declaration may stand behind the braces of a step.
+        let is_word_of = |token: &TokenTree| {
+            ["input", "output", "var", "fault", "choice"].iter().any(|word| is_word(Some(token), word))
+        };
+        let Some(at) = item.iter().position(is_word_of) else { continue };
+        let behind = item[at + 1..].iter().take_while(|token| !is_sign(Some(token), ':'));
+        names.extend(behind.filter_map(|token| match token {
+            TokenTree::Ident(name) => Some(name.to_string()),
+            _ => None,
+        }));
+    }
+    names
+}
+
 struct Plainer<'s> {
     free: Vec<String>,
+    /// What the plant declares itself.
+    taken: Vec<String>,
     declared: TokenStream,
     sink: &'s mut Sink,
 }
@@ -154,9 +176,9 @@ impl Plainer<'_> {
 
     /// An input beside those that are there, called after a step.
     fn choice(&mut self, what: &str, step: &Ident, doc: &str) -> Ident {
-        let base = format!("{what}_{}", snake(&step.to_string()));
+        let base = format!("{what}_{}", snake(step.to_string().trim_start_matches("r#")));
         let (mut name, mut number) = (base.clone(), 1);
-        while self.free.contains(&name) {
+        while self.free.contains(&name) || self.taken.contains(&name) {
             number += 1;
             name = format!("{base}_{number}");
         }

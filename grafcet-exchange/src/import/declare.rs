@@ -68,6 +68,18 @@ pub(super) fn declared(
             let message = format!("nothing that is translated writes `{}`: it is {what}", variable.name);
             notes.push(Wrong { at: variable.at.clone(), message });
         }
+        let shared = match variable.section {
+            Section::InOut => Some("an in-out variable"),
+            Section::External => Some("a global variable"),
+            _ => None,
+        };
+        if let (Some(what), Role::Output) = (shared, role) {
+            let message = format!(
+                "`{}`, {what}, is an output: what others write to it is not seen; what the chart has to know of that is an input",
+                variable.name
+            );
+            notes.push(Wrong { at: variable.at.clone(), message });
+        }
         let value = initial(variable, kind, scope, notes);
         // What keeps its value: the compiler wants to know the first one.
         let first = match kind {

@@ -16,6 +16,35 @@ pub(super) enum Token {
     Sign(&'static str),
 }
 
+/// `(* … *)`, or `/* … */` since the third edition of the standard: what stands behind its beginning, its beginning and its end.
+fn block_comment(text: &str) -> Option<(&str, &'static str, &'static str)> {
+    let pairs = [("(*", "*)"), ("/*", "*/")];
+    pairs.into_iter().find_map(|(open, close)| text.strip_prefix(open).map(|inside| (inside, open, close)))
+}
+
+/// How long a comment is that may have others in it, as the third edition lets them; none where they do not all end: before it, the first end was that of
+/// the whole.
+fn nested(inside: &str, open: &str, close: &str) -> Option<usize> {
+    let (mut depth, mut at) = (1, 0);
+    while let Some(next) = inside[at..].find(['(', '*', '/']) {
+        at += next;
+        let rest = &inside[at..];
+        if rest.starts_with(close) {
+            depth -= 1;
+            if depth == 0 {
+                return Some(at);
+            }
+            at += 2;
+        } else if rest.starts_with(open) {
+            depth += 1;
+            at += 2;
+        } else {
+            at += 1;
+        }
+    }
+    None
+}
+
 /// Tokens with their places, and comments with theirs.
 pub(super) struct Lexed {
     pub(super) tokens: Vec<(Token, Span)>,
@@ -66,9 +95,9 @@ impl<'t> Lexer<'t> {
             let (inside, end) = if let Some(line) = rest.strip_prefix("//") {
                 let length = line.find('\n').unwrap_or(line.len());
                 (&line[..length], start + 2 + length)
-            } else if let Some(inside) = rest.strip_prefix("(*") {
-                let Some(length) = inside.find("*)") else {
-                    return Err(self.wrong(start, "this comment has no end `*)`"));
+            } else if let Some((inside, open, close)) = block_comment(rest) {
+                let Some(length) = nested(inside, open, close).or_else(|| inside.find(close)) else {
+                    return Err(self.wrong(start, format!("this comment has no end `{close}`")));
                 };
                 (&inside[..length], start + 2 + length + 2)
             } else if rest.starts_with('{') {
@@ -238,5 +267,21 @@ mod tests {
         assert_eq!(tokens, expected);
         let comments: Vec<&str> = lexed.comments.iter().map(|(text, _)| &**text).collect();
         assert_eq!(comments, ["so", "and"]);
+    }
+
+    /// Within each other where each has its end; of the second edition, where one does not, the first end counts.
+    #[test]
+    fn comments_within_comments() {
+        for (text, expected) in [
+            ("(* a (* b *) c *) x", &["a (* b *) c"][..]),
+            ("(* a (* b *) x (* c *) y", &["a (* b", "c"]),
+            ("/* a (* b */ x // c */", &["a (* b", "c */"]),
+            ("/* a /* b */ c */ x (*) y *)", &["a /* b */ c", ") y"]),
+        ] {
+            let lexed = lex(text, 0).expect("tokens");
+            let comments: Vec<&str> = lexed.comments.iter().map(|(text, _)| &**text).collect();
+            assert_eq!(comments, expected, "{text}");
+        }
+        assert!(lex("x /* y", 0).is_err_and(|wrong| wrong.message == "this comment has no end `*/`"));
     }
 }

@@ -174,7 +174,7 @@ fn header(model: &Model, scope: &Scope<'_>, chart: Option<&(String, String)>) ->
     lines.extend(chart.map(|(chart, name)| format!("Renamed: the chart `{chart}` is {name}.")));
     header::own_names(scope, &mut lines);
     if let Some(late) = header::supervised(model) {
-        lines.push(format!("Left out: `within` of {late}; where a transition asks for it, it is there."));
+        lines.push(header::left_out(&late));
     }
     lines
 }

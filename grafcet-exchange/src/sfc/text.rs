@@ -23,7 +23,11 @@ pub(super) fn write(chart: &Chart) -> String {
 /// With comments as they were before the third edition of the standard: compilers of the second one know no others.
 pub(crate) fn classic(text: &str) -> String {
     let one = |line: &str| match line.split_once("//") {
-        Some((before, said)) => format!("{before}(* {} *)\n", said.trim().replace("*)", "* )")),
+        Some((before, said)) => {
+            // Some compilers take a comment within a comment for one with an end of its own.
+            let said = said.trim().replace("*)", "* )").replace("(*", "( *");
+            format!("{before}(* {said} *)\n")
+        }
         None => format!("{line}\n"),
     };
     text.lines().map(one).collect::<Vec<_>>().concat()

@@ -66,6 +66,13 @@ pub(crate) fn types(model: &Model, listed: bool, refused: &mut Vec<Refused>) {
     for name in all {
         if expr::kind(model.ty(name)).is_none() && !(listed && model.variants_of(name).is_some()) {
             let ident = model.value_name(name);
+            if !listed && model.variants_of(name).is_some() {
+                let message = format!(
+                    "`{ident}` is a variant of a list, which structured text has as a number (`cargo grafcet export st`) and SFC has not; use an integer"
+                );
+                refused.push(Refused::at(ident.into(), message));
+                continue;
+            }
             let what = match model.ty(name) {
                 Ty::Other(_) => "is of a type of the program",
                 _ => "is an integer that no PLC has",

@@ -80,7 +80,7 @@ fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
     }
     own_names(scope, lines);
     if let Some(late) = supervised(model) {
-        lines.push(format!("Left out: `within` of {late}, which no transition asks for."));
+        lines.push(left_out(&late));
     }
 }
 
@@ -99,4 +99,9 @@ pub(crate) fn supervised(model: &Model) -> Option<String> {
     let late: Vec<String> =
         model.steps.values().filter(|step| step.late.is_some()).map(|step| plain(&step.name)).collect();
     (!late.is_empty()).then(|| late.join(", "))
+}
+
+/// What is said of them.
+pub(crate) fn left_out(late: &str) -> String {
+    format!("Left out: `within` of {late}; where a condition asks whether one is late, it is there.")
 }

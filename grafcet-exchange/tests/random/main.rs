@@ -16,6 +16,7 @@ mod drawn;
 mod fragments;
 #[path = "../machine/mod.rs"]
 mod machine;
+mod net;
 mod play;
 #[path = "../../../tests/conformance/src/random/mod.rs"]
 #[allow(dead_code, unreachable_pub, clippy::format_collect, reason = "a part of another test's crate")]

@@ -278,7 +278,7 @@ pub(crate) fn places(model: &Model) -> Vec<Name> {
     model.outputs.ids().map(Name::Output).chain(vars.map(Name::Var)).collect()
 }
 
-fn values(model: &Model, given: &BTreeMap<String, i128>) -> Vec<interp::Value> {
+pub(crate) fn values(model: &Model, given: &BTreeMap<String, i128>) -> Vec<interp::Value> {
     let one = |input: &grafcet_compiler::model::Input| {
         value(given.get(&plain(&input.name)).copied().unwrap_or_default(), &input.ty)
     };

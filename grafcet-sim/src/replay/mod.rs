@@ -40,6 +40,8 @@ pub enum ReplayError {
     },
     /// The bits of an input or parameter are no value: the record is of a chart with others.
     Values(String),
+    /// The record has more inputs or parameters than the chart.
+    More,
     /// A type of the program, of which the source does not tell how it is written down: list its variants in the chart.
     Type(String),
     /// A cycle cannot be run.
@@ -60,6 +62,7 @@ impl fmt::Display for ReplayError {
                 write!(f, "whether the record is of this chart is not known: its fingerprint is {recorded:08x}")
             }
             Self::Values(name) => write!(f, "what is recorded of `{name}` is no value of it"),
+            Self::More => f.write_str("the record has more inputs or parameters than the chart"),
             Self::Type(name) => {
                 write!(f, "how `{name}` is recorded does not follow from the source: list its variants")
             }
@@ -384,7 +387,10 @@ fn set_params(simulation: &mut Simulation<'_>, params: &[Value]) -> Result<(), R
 /// The values that are written in these bits.
 fn read(signals: &[Signal], bytes: &[u8]) -> Result<Vec<Value>, ReplayError> {
     let mut bits = Reader::new(bytes);
-    signals.iter().map(|signal| value(&mut bits, signal)).collect()
+    let values = signals.iter().map(|signal| value(&mut bits, signal)).collect::<Result<_, _>>()?;
+    // What is left of the last byte is zero.
+    let left = bits.left();
+    if left < 8 && bits.is_empty(left) { Ok(values) } else { Err(ReplayError::More) }
 }
 
 fn value(bits: &mut Reader<'_>, signal: &Signal) -> Result<Value, ReplayError> {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use grafcet_compiler::analysis::{Facts, Prover};
 use grafcet_compiler::diagnostic::{Diagnostic, Sink};
-use grafcet_compiler::model::{Id, Model, Wire};
+use grafcet_compiler::model::{Claim, Id, Model, Wire};
 use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Role, counted};
 use grafcet_compiler::{Wanted, compile_with, diagnose};
@@ -300,4 +300,62 @@ fn clocks_of_chart_and_plant_go_together_in_fine_ticks_too() {
         let said = verdicts(&read(&text));
         assert!(said.iter().all(|verdict| matches!(verdict, Verdict::Proved(_))), "{clock}: {said:?}");
     }
+}
+
+/// What stands for a mention has a name of its own: `Arm::Up_In` and `Arm_Up::In` are two things, raw identifiers one each, and an input of a plant may be
+/// called as a choice would be.
+#[test]
+fn names_of_plants_do_not_meet() {
+    let chart = |claims: &str| {
+        format!(
+            "sfc Press {{
+                input top, r#type, up: bool;
+                output lower, choose_in: bool;
+                initial step Rest;
+                step Down {{ lower; choose_in; }}
+                Rest -[top && r#type]-> Down -[!top && !up]-> Rest;
+                {claims}
+            }}
+            plant Arm {{
+                input lower: bool;
+                output top: bool;
+                initial step Top {{ top; }}
+                step Up_In; step Up;
+                Top -[lower]-> Up_In -[!lower]-> Up -[true]-> Top;
+            }}
+            plant Arm_Up {{
+                input lower, choose_in: bool;
+                output up, r#type: bool;
+                initial step In {{ up; r#type; }}
+                step r#final {{ r#type; }}
+                step Rin;
+                either In -[lower]-> (r#final or r#in or RIn);
+                step r#in; step RIn;
+                RIn -[choose_in]-> Rin -[true]-> In;
+                r#in -[!lower]-> In;
+                r#final -[!lower || 1s..2s/r#final]-> In;
+            }}"
+        )
+    };
+    let claims = "never Arm_Up::In.X && Rest.X && top;
+                  never Arm::Up_In.X && Rest.X && top;
+                  never Arm_Up::r#final.X && Rest.X;
+                  never Arm_Up::r#in.X && Down.X;
+                  never Arm_Up::r#type && !Arm_Up::In.X && !Arm_Up::r#final.X;";
+    let model = read(&chart(claims));
+    let broken: Vec<bool> = verdicts(&model).iter().map(|verdict| matches!(verdict, Verdict::Violated(_))).collect();
+    assert_eq!(broken, [true, false, false, true, false]);
+    // The other way round.
+    let swapped = "never Arm::Up_In.X && Rest.X && top; never Arm_Up::In.X && Rest.X && top;";
+    let broken: Vec<bool> =
+        verdicts(&read(&chart(swapped))).iter().map(|verdict| matches!(verdict, Verdict::Violated(_))).collect();
+    assert_eq!(broken, [false, true]);
+    // Each is said as it is written, also where one name begins as another one.
+    let said = "never Arm::Up.X && Arm::Up_In.X;";
+    let model = read(&chart(said));
+    let Claim::Never(never) = &model.properties[0].claim else { panic!("a `never`") };
+    assert_eq!(format!("never {};", never.text), said);
+    // Rust that nobody looks into, too.
+    let model = read(&chart("never matches!(Arm::Up.X, true);"));
+    assert!(!format!("{:?}", model.properties[0].claim.violation()).contains("__Arm"));
 }

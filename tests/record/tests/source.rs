@@ -253,6 +253,14 @@ fn another_version_is_no_silent_replay() {
     assert_ne!(here, there);
     assert!((0..difference.cycle).all(|cycle| shown(&before, cycle) == shown(&trace, cycle)), "{difference}");
     assert_eq!(Replay::new().run(&changed, &[0; 500]), Err(ReplayError::NoRecord));
+    // With fewer inputs or parameters than there were, nobody knows which of them is which.
+    let fewer = [("estop, ack, auto", "estop, auto"), ("input estop", "input more: u8; input estop")];
+    let fewer = fewer.map(|(from, to)| {
+        assert!(CELL.contains(from), "{from}");
+        let text = CELL.replace(from, to).replace("rising(ack)", "auto");
+        Replay::new().even_if_changed().run(&source(&text, "Cell"), &record).err()
+    });
+    assert_eq!(fewer, [Some(ReplayError::More), Some(ReplayError::Values("estop".to_owned()))]);
 }
 
 /// What a record has become a test for.

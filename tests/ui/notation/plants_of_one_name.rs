@@ -44,6 +44,31 @@ grafcet! {
     }
 }
 
+grafcet! {
+    grafcet Line {
+        input top: bool;
+        output lower: bool;
+        initial step Rest { lower; }
+        enclosing step Down {
+            partial Lift {
+                linked step Up;
+                step Low;
+                Up -[top]-> Low -[!top]-> Up;
+            }
+        }
+        Rest -[top]-> Down -[!top]-> Rest;
+        never Lift::Up.X && Rest.X;
+    }
+
+    plant Lift {
+        input lower: bool;
+        output top: bool;
+        initial step Up { top; }
+        step Low;
+        Up -[lower]-> Low -[!lower]-> Up;
+    }
+}
+
 fn main() {
-    let _ = (Press::new(), Twice::new(), Same::new());
+    let _ = (Press::new(), Twice::new(), Same::new(), Line::new(), Lift::new());
 }

@@ -19,8 +19,16 @@ fn is_operand_next(text: &str, tight: bool) -> bool {
     }
 }
 
+/// Whether `!` between `text` and a group calls a macro: `matches!(…)`, and not `if !(…)`.
+fn is_macro(text: &str, tight: bool, next: Option<&TokenTree>) -> bool {
+    let word = text.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
+    let is_keyword = ["as", "else", "if", "in", "match", "move", "return", "while"].contains(&word);
+    !tight && !word.is_empty() && !is_keyword && matches!(next, Some(TokenTree::Group(_)))
+}
+
 fn write(tokens: TokenStream, text: &mut String, mut tight: bool) {
-    for tree in tokens {
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(tree) = tokens.next() {
         match tree {
             TokenTree::Group(group) => {
                 let (open, close) = match group.delimiter() {
@@ -43,7 +51,8 @@ fn write(tokens: TokenStream, text: &mut String, mut tight: bool) {
             TokenTree::Punct(punct) => {
                 let c = punct.as_char();
                 let prefix = matches!(c, '-' | '*' | '&') && is_operand_next(text, tight);
-                let sticks = matches!(c, '.' | ',' | ';' | '?' | ':');
+                let sticks =
+                    matches!(c, '.' | ',' | ';' | '?' | ':') || c == '!' && is_macro(text, tight, tokens.peek());
                 if !tight && !sticks {
                     text.push(' ');
                 }
@@ -65,6 +74,23 @@ fn write(tokens: TokenStream, text: &mut String, mut tight: bool) {
                 text.push_str(&other.to_string());
                 tight = false;
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of;
+    use proc_macro2::TokenStream;
+
+    #[test]
+    fn as_a_person_writes_it() {
+        for text in [
+            "matches!(mode, Mode::Auto | Mode::Manual) && !matches!(n, 7)",
+            "if !(a && !b) { n > 2 } else { !(n > 2) }",
+            "n != -1 && !near(n - 1) && all![a, b]",
+        ] {
+            assert_eq!(of(text.parse::<TokenStream>().expect("tokens")), text);
         }
     }
 }
