@@ -64,16 +64,16 @@ macro_rules! __recordable_by_serde {
                 1 + 8 * $bytes
             };
 
-            fn write(&self, to: &mut $crate::record::Writer<'_>) {
-                $crate::record::by_serde::write::<$name, $bytes>(self, to);
+            fn write(&self, to_: &mut $crate::record::Writer<'_>) {
+                $crate::record::by_serde::write::<$name, $bytes>(self, to_);
             }
 
-            fn read(from: &mut $crate::record::Reader<'_>) -> ::core::option::Option<Self> {
-                $crate::record::by_serde::read::<$name, $bytes>(from)
+            fn read(from_: &mut $crate::record::Reader<'_>) -> ::core::option::Option<Self> {
+                $crate::record::by_serde::read::<$name, $bytes>(from_)
             }
 
-            fn is_same(&self, other: &Self) -> bool {
-                $crate::record::by_serde::is_same::<$name, $bytes>(self, other)
+            fn is_same(&self, other_: &Self) -> bool {
+                $crate::record::by_serde::is_same::<$name, $bytes>(self, other_)
             }
         }
     };

@@ -248,20 +248,20 @@ macro_rules! recordable {
         impl $crate::record::Record for $name {
             const BITS: usize = $crate::record::bits_for([$(<$name>::$variant),*].len());
 
-            fn write(&self, to: &mut $crate::record::Writer<'_>) {
+            fn write(&self, to_: &mut $crate::record::Writer<'_>) {
                 // A variant that is not listed is an error here.
                 match self { $(<$name>::$variant => {})* }
-                let before = [$(<$name>::$variant),*].into_iter().take_while(|variant| !variant.is_same(self));
-                to.put(before.fold(0, |index, _| index + 1), Self::BITS);
+                let before_ = [$(<$name>::$variant),*].into_iter().take_while(|variant_| !variant_.is_same(self));
+                to_.put(before_.fold(0, |index_, _| index_ + 1), Self::BITS);
             }
 
-            fn read(from: &mut $crate::record::Reader<'_>) -> ::core::option::Option<Self> {
-                let index = from.take(Self::BITS)?;
-                [$(<$name>::$variant),*].get(index as usize).copied()
+            fn read(from_: &mut $crate::record::Reader<'_>) -> ::core::option::Option<Self> {
+                let index_ = from_.take(Self::BITS)?;
+                [$(<$name>::$variant),*].get(index_ as usize).copied()
             }
 
-            fn is_same(&self, other: &Self) -> bool {
-                ::core::mem::discriminant(self) == ::core::mem::discriminant(other)
+            fn is_same(&self, other_: &Self) -> bool {
+                ::core::mem::discriminant(self) == ::core::mem::discriminant(other_)
             }
         }
     };

@@ -1,79 +1,80 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Cell {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
         &mut self,
-        inputs: &CellInputs,
-        now: impl core::convert::Into<Ticks>,
+        inputs_: &CellInputs,
+        now_: impl core::convert::Into<Ticks>,
     ) -> CellOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = CellOutputs {
+        let mut outputs_ = CellOutputs {
             alarm: false,
             valve: false,
             mixer: false,
             batches: 0,
         };
-        let first: bool = self.region_0 == __CellRegion0::INIT;
-        if first {
+        let first_: bool = self.region_0 == __CellRegion0::INIT;
+        if first_ {
             self.region_0 = __CellRegion0::Ready;
         }
-        let edge0_now: bool = inputs.ack;
-        if first {
-            self.edge0_before = edge0_now;
+        let edge0_now_: bool = inputs_.ack;
+        if first_ {
+            self.edge0_before = edge0_now_;
         }
-        let inputs = core::hint::black_box(inputs);
+        let inputs_ = core::hint::black_box(inputs_);
         loop {
-            let mut moves_39_: bool = false;
+            let mut moves_39__: bool = false;
             match self.region_0 {
                 __CellRegion0::Ready => {
-                    if inputs.estop {
+                    if inputs_.estop {
                         self.region_0 = __CellRegion0::Stopped;
-                        moves_39_ = true;
+                        moves_39__ = true;
                         self.region_1 = __CellRegion1::NONE;
                         self.region_2 = __CellRegion2::NONE;
                         self.region_3 = __CellRegion3::NONE;
                     } else {
                         match self.region_1 {
                             __CellRegion1::Idle => {
-                                if inputs.start {
+                                if inputs_.start {
                                     self.region_1 = __CellRegion1::Batch;
-                                    moves_39_ = true;
+                                    moves_39__ = true;
                                     self.region_2 = __CellRegion2::Fill;
                                     self.region_3 = __CellRegion3::Mix;
-                                    self.since_mix = now;
+                                    self.since_mix = now_;
                                 }
                             }
                             __CellRegion1::Batch => {
-                                if self.region_2 == __CellRegion2::Filled && !inputs.start {
+                                if self.region_2 == __CellRegion2::Filled && !inputs_.start
+                                {
                                     self.region_1 = __CellRegion1::Idle;
-                                    moves_39_ = true;
+                                    moves_39__ = true;
                                     self.region_2 = __CellRegion2::NONE;
                                     self.region_3 = __CellRegion3::NONE;
                                 } else {
                                     match self.region_2 {
                                         __CellRegion2::Fill => {
-                                            if inputs.full {
+                                            if inputs_.full {
                                                 self.region_2 = __CellRegion2::Settle;
-                                                let next_batches: core::primitive::u16 = {
+                                                let next_batches_: core::primitive::u16 = {
                                                     #[allow(unused_variables)]
                                                     let batches = self.batches;
                                                     batches.wrapping_add(1)
                                                 };
-                                                moves_39_ = true;
-                                                self.batches = next_batches;
-                                                self.since_fill = now;
+                                                moves_39__ = true;
+                                                self.batches = next_batches_;
+                                                self.since_fill = now_;
                                             }
                                         }
                                         __CellRegion2::Settle => {
-                                            if now.since(self.since_fill)
+                                            if now_.since(self.since_fill)
                                                 >= Ticks::new(5000u32)
                                             {
                                                 self.region_2 = __CellRegion2::Filled;
-                                                moves_39_ = true;
+                                                moves_39__ = true;
                                             }
                                         }
                                         _ => {}
@@ -83,22 +84,22 @@ impl Cell {
                                     );
                                     match self.region_3 {
                                         __CellRegion3::Mix => {
-                                            if now.since(self.since_mix)
+                                            if now_.since(self.since_mix)
                                                 >= Ticks::new(10000u32)
                                             {
                                                 self.region_3 = __CellRegion3::Rest;
-                                                moves_39_ = true;
-                                                self.since_mix = now;
+                                                moves_39__ = true;
+                                                self.since_mix = now_;
                                             }
                                         }
                                         __CellRegion3::Rest => {
-                                            if inputs.start
-                                                && now.since(self.since_mix)
+                                            if inputs_.start
+                                                && now_.since(self.since_mix)
                                                     >= Ticks::new(2000u32)
                                             {
                                                 self.region_3 = __CellRegion3::Mix;
-                                                moves_39_ = true;
-                                                self.since_mix = now;
+                                                moves_39__ = true;
+                                                self.since_mix = now_;
                                             }
                                         }
                                         _ => {}
@@ -110,35 +111,35 @@ impl Cell {
                     }
                 }
                 __CellRegion0::Stopped => {
-                    if !inputs.estop && !self.edge0_before && edge0_now {
+                    if !inputs_.estop && !self.edge0_before && edge0_now_ {
                         self.region_0 = __CellRegion0::Restart;
-                        moves_39_ = true;
+                        moves_39__ = true;
                         self.region_1 = __CellRegion1::Idle;
                     }
                 }
                 __CellRegion0::Restart => {
                     self.region_0 = __CellRegion0::Ready;
-                    moves_39_ = true;
+                    moves_39__ = true;
                 }
                 _ => {}
             }
-            if !moves_39_ {
+            if !moves_39__ {
                 break;
             }
-            self.edge0_before = edge0_now;
+            self.edge0_before = edge0_now_;
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        self.edge0_before = edge0_now;
+        self.edge0_before = edge0_now_;
         match self.region_0 {
             __CellRegion0::Stopped => {
-                outputs.alarm = true;
+                outputs_.alarm = true;
             }
             _ => {
                 match self.region_2 {
                     __CellRegion2::Fill => {
-                        outputs.valve = true;
+                        outputs_.valve = true;
                     }
                     _ => {}
                 }
@@ -147,15 +148,15 @@ impl Cell {
                 );
                 match self.region_3 {
                     __CellRegion3::Mix => {
-                        outputs.mixer = true;
+                        outputs_.mixer = true;
                     }
                     __CellRegion3::Rest => {
-                        self.passed_mix = now.since(self.since_mix)
+                        self.passed_mix = now_.since(self.since_mix)
                             >= Ticks::new(2000u32);
-                        if now.since(self.since_mix)
+                        if now_.since(self.since_mix)
                             >= Ticks::new(2000u32)
                         {
-                            self.since_mix = now
+                            self.since_mix = now_
                                 .since(Ticks::new(2000u32));
                         }
                     }
@@ -163,7 +164,7 @@ impl Cell {
                 }
             }
         }
-        outputs.batches = self.batches;
-        outputs
+        outputs_.batches = self.batches;
+        outputs_
     }
 }
