@@ -17,8 +17,14 @@ pub(super) fn parse(mut inside: Input, mark: Mark, sink: &mut Sink) -> Transitio
         error.report(sink);
         Condition::Broken
     });
-    // What follows a condition that is refused.
-    while !inside.at("=>") && inside.bump() {}
+    // What follows a condition that is refused, in which other arrows may stand: `a ==> b`.
+    while !inside.at("=>") {
+        match ["==>", "<=>"].into_iter().find_map(|arrow| inside.behind(arrow)) {
+            Some(behind) => inside = behind,
+            None if inside.bump() => {}
+            None => break,
+        }
+    }
     let mut clearing = Vec::new();
     if inside.eat("=>") {
         self::clearing(&mut inside, &mut clearing, sink);
