@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use super::input::Turns;
 use super::{Error, Input, Result, condition, target};
 use crate::ast::{Clearing, Condition, Transition};
 use crate::diagnostic::{Mark, Sink};
@@ -18,11 +19,11 @@ pub(super) fn parse(mut inside: Input, mark: Mark, sink: &mut Sink) -> Transitio
         Condition::Broken
     });
     // What follows a condition that is refused, in which other arrows may stand: `a ==> b`.
-    while !inside.at("=>") {
+    let mut turns = Turns::default();
+    while turns.more(&inside) && !inside.at("=>") {
         match ["==>", "<=>"].into_iter().find_map(|arrow| inside.behind(arrow)) {
             Some(behind) => inside = behind,
-            None if inside.bump() => {}
-            None => break,
+            None => _ = inside.bump(),
         }
     }
     let mut clearing = Vec::new();
