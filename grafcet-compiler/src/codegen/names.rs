@@ -44,7 +44,7 @@ pub(super) struct Names {
 impl Names {
     pub(super) fn of(model: &Model) -> Self {
         let chart = &model.name;
-        let with = |suffix: &str| format_ident!("{chart}{suffix}");
+        let with = |suffix: &str| format_ident!("{chart}{suffix}", span = place::here());
         let steps: Set<String> = model.steps.values().map(|step| step.name.to_string()).collect();
         Self {
             chart: chart.clone(),
