@@ -356,10 +356,13 @@ impl ::grafcet::__private::core::fmt::Debug for BatchSituation {
         let mut set_ = f_.debug_set();
         for step_ in <Batch as ::grafcet::__private::Chart>::STEPS {
             if self.is_active(*step_) {
-                let _ = set_.entry(step_);
+                let _ = ::grafcet::__private::core::fmt::DebugSet::entry(
+                    &mut set_,
+                    step_,
+                );
             }
         }
-        set_.finish()
+        ::grafcet::__private::core::fmt::DebugSet::finish(&mut set_)
     }
 }
 /// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
@@ -412,13 +415,13 @@ impl Batch {
         rising_now_0_ = value_ && !self.edge_0;
         self.edge_0 = value_;
         let input_ = inputs_.empty;
-        self.delay_0
-            .update(
-                input_,
-                ::grafcet::__private::Ticks::new(1000u32),
-                ::grafcet::__private::Ticks::new(500u32),
-                elapsed_,
-            );
+        ::grafcet::__private::Delay::update(
+            &mut self.delay_0,
+            input_,
+            ::grafcet::__private::Ticks::new(1000u32),
+            ::grafcet::__private::Ticks::new(500u32),
+            elapsed_,
+        );
         self.settled = true;
         let since_before_0_ = self.since_0;
         let since_before_1_ = self.since_1;
@@ -438,7 +441,7 @@ impl Batch {
                 if {
                     let since_3_ = self.since_0;
                     let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
-                    let delay_0_ = self.delay_0.output();
+                    let delay_0_ = ::grafcet::__private::Delay::output(&self.delay_0);
                     since_3_ >= ticks_2000_ && delay_0_
                 } {
                     self.region_0 = __BatchRegion0::Drain;
@@ -542,24 +545,22 @@ impl Batch {
         if q_heat_ {
             self.association_heat = number_n_heat_;
         }
-        let done_flag_d_pump_ = self
-            .timer_flag_d_pump
-            .update(
-                flag_d_pump_,
-                false,
-                ::grafcet::__private::Ticks::new(1000u32),
-                elapsed_,
-            );
+        let done_flag_d_pump_ = ::grafcet::__private::OnDelay::update(
+            &mut self.timer_flag_d_pump,
+            flag_d_pump_,
+            false,
+            ::grafcet::__private::Ticks::new(1000u32),
+            elapsed_,
+        );
         self.memory_flag_sd_pump = (self.memory_flag_sd_pump || flag_sd_pump_)
             && !flag_r_pump_;
-        let done_flag_sd_pump_ = self
-            .timer_flag_sd_pump
-            .update(
-                self.memory_flag_sd_pump,
-                false,
-                ::grafcet::__private::Ticks::new(2000u32),
-                elapsed_,
-            );
+        let done_flag_sd_pump_ = ::grafcet::__private::OnDelay::update(
+            &mut self.timer_flag_sd_pump,
+            self.memory_flag_sd_pump,
+            false,
+            ::grafcet::__private::Ticks::new(2000u32),
+            elapsed_,
+        );
         let q_pump_ = !flag_r_pump_
             && (flag_n_pump_ || done_flag_d_pump_ || done_flag_sd_pump_);
         match before_1_ {
@@ -718,19 +719,34 @@ impl Batch {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
         if self.region_0 == __BatchRegion0::Idle || self.region_0 == __BatchRegion0::INIT
         {
-            let _ = steps_.push(BatchStep::Idle);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Idle,
+            );
         }
         if self.region_0 == __BatchRegion0::Fill {
-            let _ = steps_.push(BatchStep::Fill);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Fill,
+            );
         }
         if self.region_1 == __BatchRegion1::Heat {
-            let _ = steps_.push(BatchStep::Heat);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Heat,
+            );
         }
         if self.region_0 == __BatchRegion0::Stir {
-            let _ = steps_.push(BatchStep::Stir);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Stir,
+            );
         }
         if self.region_0 == __BatchRegion0::Drain {
-            let _ = steps_.push(BatchStep::Drain);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Drain,
+            );
         }
         steps_
     }
@@ -788,20 +804,25 @@ impl Batch {
         }
         soonest_ = ::grafcet::__private::sooner(
             soonest_,
-            self
-                .delay_0
-                .remaining(
-                    ::grafcet::__private::Ticks::new(1000u32),
-                    ::grafcet::__private::Ticks::new(500u32),
-                ),
+            ::grafcet::__private::Delay::remaining(
+                &self.delay_0,
+                ::grafcet::__private::Ticks::new(1000u32),
+                ::grafcet::__private::Ticks::new(500u32),
+            ),
         );
         soonest_ = ::grafcet::__private::sooner(
             soonest_,
-            self.timer_flag_d_pump.remaining(::grafcet::__private::Ticks::new(1000u32)),
+            ::grafcet::__private::OnDelay::remaining(
+                &self.timer_flag_d_pump,
+                ::grafcet::__private::Ticks::new(1000u32),
+            ),
         );
         soonest_ = ::grafcet::__private::sooner(
             soonest_,
-            self.timer_flag_sd_pump.remaining(::grafcet::__private::Ticks::new(2000u32)),
+            ::grafcet::__private::OnDelay::remaining(
+                &self.timer_flag_sd_pump,
+                ::grafcet::__private::Ticks::new(2000u32),
+            ),
         );
         match soonest_ {
             ::grafcet::__private::Option::Some(time_) => {

@@ -389,10 +389,13 @@ impl ::grafcet::__private::core::fmt::Debug for CellSituation {
         let mut set_ = f_.debug_set();
         for step_ in <Cell as ::grafcet::__private::Chart>::STEPS {
             if self.is_active(*step_) {
-                let _ = set_.entry(step_);
+                let _ = ::grafcet::__private::core::fmt::DebugSet::entry(
+                    &mut set_,
+                    step_,
+                );
             }
         }
-        set_.finish()
+        ::grafcet::__private::core::fmt::DebugSet::finish(&mut set_)
     }
 }
 /// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
@@ -595,31 +598,58 @@ impl Cell {
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<CellStep, 3> {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
         if self.region_0.state() == __CellRegion0::Ready {
-            let _ = steps_.push(CellStep::Ready);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Ready,
+            );
         }
         if self.region_0.state() == __CellRegion0::Stopped {
-            let _ = steps_.push(CellStep::Stopped);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Stopped,
+            );
         }
         if self.region_0.state() == __CellRegion0::Restart {
-            let _ = steps_.push(CellStep::Restart);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Restart,
+            );
         }
         if self.region_1 == __CellRegion1::Idle {
-            let _ = steps_.push(CellStep::Idle);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Idle,
+            );
         }
         if self.region_1 == __CellRegion1::Feed {
-            let _ = steps_.push(CellStep::Feed);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Feed,
+            );
         }
         if self.region_1 == __CellRegion1::Close {
-            let _ = steps_.push(CellStep::Close);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Close,
+            );
         }
         if self.region_1 == __CellRegion1::Open {
-            let _ = steps_.push(CellStep::Open);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Open,
+            );
         }
         if self.region_1 == __CellRegion1::Auto {
-            let _ = steps_.push(CellStep::Auto);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Auto,
+            );
         }
         if self.region_2 == __CellRegion2::Count {
-            let _ = steps_.push(CellStep::Count);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Count,
+            );
         }
         steps_
     }

@@ -263,7 +263,7 @@ impl Motor {
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<MotorStep, 1> {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
-        let _ = steps_.push(self.situation());
+        let _ = ::grafcet::__private::heapless::Vec::push(&mut steps_, self.situation());
         steps_
     }
     /// The situation: which steps are active.

@@ -218,10 +218,13 @@ impl ::grafcet::__private::core::fmt::Debug for StationsSituation {
         let mut set_ = f_.debug_set();
         for step_ in <Stations as ::grafcet::__private::Chart>::STEPS {
             if self.is_active(*step_) {
-                let _ = set_.entry(step_);
+                let _ = ::grafcet::__private::core::fmt::DebugSet::entry(
+                    &mut set_,
+                    step_,
+                );
             }
         }
-        set_.finish()
+        ::grafcet::__private::core::fmt::DebugSet::finish(&mut set_)
     }
 }
 /// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
@@ -365,22 +368,40 @@ impl Stations {
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<StationsStep, 2> {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
         if self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0 {
-            let _ = steps_.push(StationsStep::Wait);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Wait,
+            );
         }
         if self.situation[0usize] & 2u8 != 0 {
-            let _ = steps_.push(StationsStep::Drill);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Drill,
+            );
         }
         if self.situation[0usize] & 4u8 != 0 {
-            let _ = steps_.push(StationsStep::Drilled);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Drilled,
+            );
         }
         if self.situation[0usize] & 8u8 != 0 {
-            let _ = steps_.push(StationsStep::Test);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Test,
+            );
         }
         if self.situation[0usize] & 16u8 != 0 {
-            let _ = steps_.push(StationsStep::Tested);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Tested,
+            );
         }
         if self.situation[0usize] & 32u8 != 0 {
-            let _ = steps_.push(StationsStep::Out);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Out,
+            );
         }
         steps_
     }

@@ -206,7 +206,7 @@ impl Cx<'_> {
             Read::Falling(id) => self.edge(id, false, moment).into_token_stream(),
             Read::Delay(id) => {
                 let field = names::delay_field(id);
-                quote!(self.#field.output())
+                quote!(#p::Delay::output(&self.#field))
             }
             Read::Ticks(ticks) => quote!(#p::Ticks::new(#ticks)),
             Read::Blink(blink) => self.blink(blink, moment),

@@ -218,12 +218,12 @@ fn active_steps(cx: &Cx<'_>, machine: &Machine<'_>) -> (Literal, TokenStream) {
     let p = &cx.p;
     let steps = names::local("steps");
     let pushes = if cx.plan.one_step {
-        quote!(let _ = #steps.push(self.situation());)
+        quote!(let _ = #p::heapless::Vec::push(&mut #steps, self.situation());)
     } else {
         // The order of declaration runs across the regions.
         let push = |id: StepId| {
             let (active, name) = (&machine.active[id.index()], step_name(cx, id));
-            quote!(if #active { let _ = #steps.push(#name); })
+            quote!(if #active { let _ = #p::heapless::Vec::push(&mut #steps, #name); })
         };
         cx.model.steps.ids().map(push).tokens()
     };
@@ -360,10 +360,10 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
                 let mut set_ = f_.debug_set();
                 for step_ in <#chart as #p::Chart>::STEPS {
                     if self.is_active(*step_) {
-                        let _ = set_.entry(step_);
+                        let _ = #p::core::fmt::DebugSet::entry(&mut set_, step_);
                     }
                 }
-                set_.finish()
+                #p::core::fmt::DebugSet::finish(&mut set_)
             }
         }
 

@@ -98,7 +98,7 @@ impl Cx<'_> {
         let steps = thresholds.iter().map(|(clock, threshold)| self.until(*clock, *threshold));
         let delays = self.model.delays.iter().map(|(id, delay)| {
             let (field, on, off) = (names::delay_field(id), self.time(delay.on), self.time(delay.off));
-            quote!(soonest_ = #p::sooner(soonest_, self.#field.remaining(#on, #off));)
+            quote!(soonest_ = #p::sooner(soonest_, #p::Delay::remaining(&self.#field, #on, #off));)
         });
         let timers = self.timers();
         let left_over = self.is_left_over();
@@ -157,7 +157,8 @@ impl Cx<'_> {
                     let prefix = format!("timer_{}", names::flag(qualifier));
                     let timer = names::target(&prefix, self.model, index, target);
                     let time = self.target_time(index, target, qualifier);
-                    tokens.extend(quote!(soonest_ = #p::sooner(soonest_, self.#timer.remaining(#time));));
+                    tokens
+                        .extend(quote!(soonest_ = #p::sooner(soonest_, #p::OnDelay::remaining(&self.#timer, #time));));
                 }
             }
         }

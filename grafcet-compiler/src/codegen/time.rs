@@ -277,12 +277,12 @@ impl Cx<'_> {
     }
 
     fn sample_delay(&self, id: DelayId) -> TokenStream {
-        let delay = &self.model.delays[id];
+        let (p, delay) = (&self.p, &self.model.delays[id]);
         let (field, value) = (names::delay_field(id), self.value(&delay.of, Moment::Sample));
         let (on, off) = (self.time(delay.on), self.time(delay.off));
         quote! {
             let input_ = #value;
-            self.#field.update(input_, #on, #off, elapsed_);
+            #p::Delay::update(&mut self.#field, input_, #on, #off, elapsed_);
         }
     }
 

@@ -130,7 +130,7 @@ macro_rules! __recorded {
                 fn write(&self, _to_: &mut __r::Writer<'_>) { $(<$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::write(&self.$param, _to_);)* }
                 fn read(_from_: &mut __r::Reader<'_>) -> __r::Option<Self> {
                     let params_ = Self { $($param: <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::read(_from_)?,)* };
-                    $(if params_.$out_of_range().is_some() {
+                    $(if __r::Option::is_some(&params_.$out_of_range()) {
                         return __r::Option::None;
                     })?
                     __r::Option::Some(params_)

@@ -262,7 +262,7 @@ macro_rules! recordable {
 
             fn read(from_: &mut $crate::record::Reader<'_>) -> $crate::record::names::Option<Self> {
                 let index_ = from_.take(Self::BITS)?;
-                [$(<$name>::$variant),*].get(index_ as $crate::record::names::usize).copied()
+                <[_]>::get(&[$(<$name>::$variant),*], index_ as $crate::record::names::usize).copied()
             }
 
             fn is_same(&self, other_: &Self) -> $crate::record::names::bool {

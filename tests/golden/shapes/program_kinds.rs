@@ -44,7 +44,7 @@ impl Long {
                     __Kind3::K2,
                     __Kind3::K0,
                 ];
-                match KINDS.get(self.situation as usize) {
+                match <[_]>::get(&KINDS, self.situation as usize) {
                     Option::Some(found_) => *found_,
                     Option::None => KINDS[0],
                 }

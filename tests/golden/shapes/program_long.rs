@@ -70,7 +70,7 @@ impl Long {
                     __LongState::S0,
                     __LongState::S0,
                 ];
-                match TABLE.get(after_ as usize) {
+                match <[_]>::get(&TABLE, after_ as usize) {
                     Option::Some(found_) => *found_,
                     Option::None => after_,
                 }

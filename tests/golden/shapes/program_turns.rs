@@ -72,7 +72,7 @@ impl Long {
                     __LongState::S23,
                     __LongState::S0,
                 ];
-                match TABLE.get(now_state_ as usize) {
+                match <[_]>::get(&TABLE, now_state_ as usize) {
                     Option::Some(found_) => *found_,
                     Option::None => now_state_,
                 }

@@ -111,6 +111,7 @@ impl Cx<'_> {
             let memory = name(&format!("memory_{}", names::flag(qualifier)));
             (quote!(self.#memory = (self.#memory || #input) && !#reset;), quote!(self.#memory))
         };
+        let p = &self.p;
         let timer = |input: &TokenStream| {
             let (timer, done) = (
                 name(&format!("timer_{}", names::flag(qualifier))),
@@ -122,7 +123,10 @@ impl Cx<'_> {
                 quote!(false)
             };
             let time = self.target_time(index, target, qualifier);
-            (quote!(let #done = self.#timer.update(#input, #restart, #time, elapsed_);), quote!(#done))
+            (
+                quote!(let #done = #p::OnDelay::update(&mut self.#timer, #input, #restart, #time, elapsed_);),
+                quote!(#done),
+            )
         };
         match qualifier {
             Qualifier::S => store(&quote!(#flag)),

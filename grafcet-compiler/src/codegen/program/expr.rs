@@ -157,7 +157,7 @@ impl<'m> Printer<'_, 'm> {
         };
         let found = quote!({
             const KINDS: [#name; #length] = [#(#kinds),*];
-            match KINDS.get(#state as #p::usize) { #p::Option::Some(found_) => *found_, #p::Option::None => KINDS[0] }
+            match <[_]>::get(&KINDS, #state as #p::usize) { #p::Option::Some(found_) => *found_, #p::Option::None => KINDS[0] }
         });
         (declared, found)
     }
@@ -181,7 +181,7 @@ impl<'m> Printer<'_, 'm> {
             }
             return quote!(#p::Ticks::new({
                 const TABLE: [#held; #length] = [#(#times),*];
-                match TABLE.get(#state as #p::usize) { #p::Option::Some(found_) => #p::u32::from(*found_), #p::Option::None => 0 }
+                match <[_]>::get(&TABLE, #state as #p::usize) { #p::Option::Some(found_) => #p::u32::from(*found_), #p::Option::None => 0 }
             }));
         }
         if let Some(computed) = self.in_order_but(place, &states, &of_state) {
@@ -194,7 +194,7 @@ impl<'m> Printer<'_, 'm> {
         let held = self.ty(place);
         quote!({
             const TABLE: [#held; #length] = [#(#values),*];
-            match TABLE.get(#state as #p::usize) { #p::Option::Some(found_) => *found_, #p::Option::None => #state }
+            match <[_]>::get(&TABLE, #state as #p::usize) { #p::Option::Some(found_) => *found_, #p::Option::None => #state }
         })
     }
 

@@ -72,7 +72,10 @@ impl Crossing {
                         const TABLE: [u16; 7usize] = [
                             0, 5000, 3000, 0, 0, 4000, 0,
                         ];
-                        match TABLE.get(self.situation as usize) {
+                        match <[_]>::get(
+                            &TABLE,
+                            self.situation as usize,
+                        ) {
                             Option::Some(found_) => {
                                 u32::from(*found_)
                             }
@@ -92,7 +95,7 @@ impl Crossing {
                     __CrossingState::Cars,
                     __CrossingState::Cars,
                 ];
-                match TABLE.get(self.situation as usize) {
+                match <[_]>::get(&TABLE, self.situation as usize) {
                     Option::Some(found_) => *found_,
                     Option::None => self.situation,
                 }

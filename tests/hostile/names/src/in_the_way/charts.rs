@@ -130,7 +130,7 @@ grafcet! {
         output x_q: bool;
         output x_level: u16;
         assume never x_a && x_b;
-        initial step Idle;
+        initial step Idle { x_q if core::convert::identity(x_a) && x_b; }
         step Work within 5s { x_level = x_limit; N x_q if blink(500ms) && x_mode == Mode::On; }
         Idle -[x_a]-> Work -[x_b || Work.late]-> Idle;
         any -[x_mode == Mode::Off && x_a]-> Idle;

@@ -1,12 +1,14 @@
 //! Items of the program that are called like locals and parameters of generated code might be: statics, constants, unit structs, variants
-//! that a `use` brings in. A binding that meets one is a pattern of it, whoever wrote the binding. The test `bindings` looks at the
-//! names of all bindings, this at what rustc makes of them.
+//! that a `use` brings in; and traits for all types whose methods are called like those that generated code calls.
+//!
+//! A binding that meets an item is a pattern of it, whoever wrote the binding. The test `bindings` looks at the names of all bindings, this
+//! at what rustc makes of them.
 
 /// The same item under each of the names.
 macro_rules! all {
     ($item:ident) => {
         $item! {
-            acting actions active active_1 active_2 after after_0 after_1 after_2 again any_cleared before
+            manual paused push semi_automatic acting actions active active_1 active_2 after after_0 after_1 after_2 again any_cleared before
             before_0 before_1 before_2 c copy d delay_0 done_flag_ds_x_edge done_flag_sd_x_steps
             done_flag_sl_x_timer due_clearing_6 duration edge0_now edge_before_0 edge_before_1 edge_before_2
             edge_before_3 edge_kept elapsed elapsed_param_0_1 ended enter_4 entered entered_off
@@ -45,6 +47,63 @@ macro_rules! variants {
     };
 }
 
+/// Traits for all types.
+#[allow(
+    clippy::wrong_self_convention,
+    clippy::iter_not_returning_iterator,
+    clippy::return_self_not_must_use,
+    clippy::must_use_candidate
+)]
+pub mod methods {
+    /// Methods of a trait that each type has.
+    macro_rules! methods {
+        (@ ($($self:tt)+) $name:ident) => {
+            /// Something else.
+            fn $name($($self)+) -> Other {
+                Other
+            }
+        };
+        (@@ $self:tt $($name:ident)*) => { $(methods! { @ $self $name })* };
+        ($($self:tt)+) => {
+            methods! { @@ ($($self)+)
+                active_steps after copied cycle debug_set elapsed entry filter finish flatten force get init is_active is_exactly is_marked
+                is_none is_same is_stable iter look map marked name next next_deadline of output pad params phase push remaining scan set_params
+                since situation state steps take ticks unmarked unwrap_or_else update vars with wrapping_add write write_str
+            }
+        };
+    }
+
+    /// What these methods return.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Other;
+
+    /// Methods that are found before those which take a reference.
+    pub trait ByValue: Sized {
+        methods! { self }
+    }
+
+    impl<T> ByValue for T {}
+
+    /// Methods that are found before those of slices on arrays.
+    pub trait ByReference {
+        methods! { &self }
+    }
+
+    impl<T: ?Sized> ByReference for T {}
+}
+
+macro_rules! by_value {
+    ($($name:ident)*) => {
+        use super::methods::ByValue;
+    };
+}
+
+macro_rules! by_reference {
+    ($($name:ident)*) => {
+        use super::methods::ByReference;
+    };
+}
+
 /// Charts beside these items.
 macro_rules! beside {
     ($module:ident, $items:ident) => {
@@ -76,6 +135,8 @@ beside!(beside_statics, statics);
 beside!(beside_constants, constants);
 beside!(beside_structs, structs);
 beside!(beside_variants, variants);
+beside!(beside_methods_by_value, by_value);
+beside!(beside_methods_by_reference, by_reference);
 
 #[test]
 fn runs() {
