@@ -164,6 +164,8 @@ fn collect(input: &mut Input, notes: &mut Vec<(Mark, String)>, outermost: bool) 
     }
 }
 
+const IMPLIES: &str = "an implication is written `=>`: `always a => b;`; within a condition it is `!a || b`";
+
 /// The word or sign of another notation at `input`, as far as it reaches, and what to write in its place.
 fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
     let behind = input.next();
@@ -194,7 +196,6 @@ fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
             return Some((behind.next().next(), format!("`{time}` is no time: a number has one decimal point")));
         }
     }
-    const IMPLIES: &str = "an implication is written `=>`: `always a => b;`; within a condition it is `!a || b`";
     let signs: [(&str, bool, &str); 11] = [
         ("<==>", true, "that two conditions are the same is written `a == b`"),
         ("<=>", true, "that two conditions are the same is written `a == b`"),

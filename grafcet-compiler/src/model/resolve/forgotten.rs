@@ -32,7 +32,9 @@ impl Resolver<'_> {
         let alone: Vec<StepId> =
             model.partials[partial].steps.iter().copied().filter(|step| !model.steps[*step].drawn).list();
         if alone.len() <= forgotten {
-            alone.into_iter().for_each(|step| model.steps[step].drawn = true);
+            for step in alone {
+                model.steps[step].drawn = true;
+            }
         }
     }
 }

@@ -52,10 +52,10 @@ impl Lower<'_, '_> {
             Some((self.resolver.scope.get(&name)?, name))
         };
         let (left, right) = (meaning(&binary.left), meaning(&binary.right));
-        let (value, step) = match (left, right) {
-            (Some((Meaning::Value(value), _)), Some((Meaning::Step(_) | Meaning::Macro(_), step)))
-            | (Some((Meaning::Step(_) | Meaning::Macro(_), step)), Some((Meaning::Value(value), _))) => (value, step),
-            _ => return false,
+        let ((Some((Meaning::Value(value), _)), Some((Meaning::Step(_) | Meaning::Macro(_), step)))
+        | (Some((Meaning::Step(_) | Meaning::Macro(_), step)), Some((Meaning::Value(value), _)))) = (left, right)
+        else {
+            return false;
         };
         let Ty::Other(syn::Type::Path(ty)) = self.resolver.model.ty(value) else { return false };
         let Some(enumeration) = ty.path.segments.last().map(|last| last.ident.to_string()) else { return false };
