@@ -96,6 +96,8 @@ pub struct Body {
     pub lost: Vec<Ident>,
     /// One of these items may have been a step.
     pub lost_step: bool,
+    /// How many steps lack their name.
+    pub nameless_steps: usize,
 }
 
 /// One item of a body.

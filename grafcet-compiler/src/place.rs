@@ -6,7 +6,7 @@
 
 use std::cell::Cell;
 
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 use crate::list::List;
 pub(crate) use crate::quoted::quote;
@@ -44,6 +44,14 @@ pub(crate) fn mixed() -> Span {
 /// What names mean at the call of the macro, at a token of the user: `pub` of a field at its name.
 pub(crate) fn near(token: Span) -> Span {
     Span::call_site().located_at(token)
+}
+
+/// `struct MotorStep { … }` at the name of its chart, and not at the keyword: what rustc says of an item as a whole, as that there are two of
+/// the name, stands there.
+pub(crate) fn item(keyword: &str, name: &Ident, chart: &Ident, body: &TokenStream) -> TokenStream {
+    let at = near(chart.span());
+    let keyword = Ident::new(keyword, at);
+    quote::quote_spanned!(at=> #keyword #name { #body })
 }
 
 fn located(span: Span) -> Span {

@@ -111,5 +111,5 @@ fn races_keep_their_order_however_they_are_allowed() {
     }
     // Both are written after the evolution, in the order of the source: the one that resets last.
     let last = |text: &str| plain.rfind(text).unwrap_or_else(|| panic!("{text}: {plain}"));
-    assert!(last("q = true") < last("q = false"), "{plain}");
+    assert!(last("q_ = true") < last("q_ = false"), "{plain}");
 }

@@ -1,5 +1,82 @@
 // Recorded by `cargo xtask bless`.
 
+///The chart `Batch`.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 592 728\" style=\"width:592px;max-width:max(100%,355px);height:auto\" role=\"img\" aria-label=\"Chart Batch\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H68M100 56H116M100 184H116M412 184H428M100 408H116M100 568H116M12 712H68M60 134H388M60 138H388M60 326H388M60 330H388M12 8V712M68 8V40M68 72V134M68 138V168M68 200V326M68 330V392M68 424V552M68 584V712M116 584V616M132 600V616M148 40V72M148 168V200M148 392V424M148 552V584M148 616V648M156 200V232M156 456V488M180 424V456M380 138V168M380 200V326M460 168V200M460 264V296M484 200V264M68 96v16M68 352v16M68 512v16M68 672v16\"/><rect x=\"36\" y=\"40\" width=\"64\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"58\" height=\"26\"/><rect x=\"116\" y=\"40\" width=\"88\" height=\"32\"/><rect x=\"36\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"168\" width=\"208\" height=\"32\"/><rect x=\"116\" y=\"200\" width=\"208\" height=\"32\"/><rect x=\"348\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"428\" y=\"168\" width=\"144\" height=\"32\"/><rect x=\"428\" y=\"200\" width=\"144\" height=\"32\"/><rect x=\"428\" y=\"232\" width=\"144\" height=\"32\"/><rect x=\"428\" y=\"264\" width=\"144\" height=\"32\"/><rect x=\"36\" y=\"392\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"392\" width=\"312\" height=\"32\"/><rect x=\"116\" y=\"424\" width=\"312\" height=\"32\"/><rect x=\"116\" y=\"456\" width=\"312\" height=\"32\"/><rect x=\"36\" y=\"552\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"552\" width=\"88\" height=\"32\"/><rect x=\"116\" y=\"616\" width=\"88\" height=\"32\"/><path d=\"M54 104h28M54 360h28M54 520h28M54 680h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 355l4 9h-8z\"/><text x=\"52\" y=\"56\" textLength=\"32\">Idle</text><text x=\"128\" y=\"56\" textLength=\"8\">N</text><text x=\"160\" y=\"56\" textLength=\"32\">lamp</text><text x=\"96\" y=\"104\" textLength=\"104\">rising(start)</text><text x=\"52\" y=\"184\" textLength=\"32\">Fill</text><text x=\"128\" y=\"184\" textLength=\"8\">N</text><text x=\"160\" y=\"184\" textLength=\"40\">valve</text><text x=\"128\" y=\"216\" textLength=\"16\">P1</text><text x=\"168\" y=\"216\" textLength=\"144\">count := count + 1</text><text x=\"364\" y=\"184\" textLength=\"32\">Heat</text><text x=\"440\" y=\"184\" textLength=\"8\">N</text><text x=\"472\" y=\"184\" textLength=\"72\">heat(hot)</text><text x=\"440\" y=\"216\" textLength=\"32\">L 3s</text><text x=\"496\" y=\"216\" textLength=\"32\">lamp</text><text x=\"440\" y=\"248\" textLength=\"32\">D 1s</text><text x=\"496\" y=\"248\" textLength=\"32\">pump</text><text x=\"440\" y=\"280\" textLength=\"8\">N</text><text x=\"472\" y=\"280\" textLength=\"88\">speed := 10</text><text x=\"96\" y=\"360\" textLength=\"136\">full &amp;&amp; soak/Heat</text><text x=\"52\" y=\"408\" textLength=\"32\">Stir</text><text x=\"128\" y=\"408\" textLength=\"8\">N</text><text x=\"160\" y=\"408\" textLength=\"64\">heat(40)</text><text x=\"128\" y=\"440\" textLength=\"40\">SD 2s</text><text x=\"192\" y=\"440\" textLength=\"32\">pump</text><text x=\"128\" y=\"472\" textLength=\"16\">P0</text><text x=\"168\" y=\"472\" textLength=\"248\">{ if count &gt; 3 { count = 0; } }</text><text x=\"96\" y=\"520\" textLength=\"240\">Stir.T &gt;= 2s &amp;&amp; 1s/empty/500ms</text><text x=\"48\" y=\"568\" textLength=\"40\">Drain</text><text x=\"128\" y=\"568\" textLength=\"8\">R</text><text x=\"160\" y=\"568\" textLength=\"32\">pump</text><text x=\"144\" y=\"600\" textLength=\"72\">level &gt; 3</text><text x=\"128\" y=\"632\" textLength=\"8\">N</text><text x=\"160\" y=\"632\" textLength=\"32\">pump</text><text x=\"96\" y=\"680\" textLength=\"80\">level == 0</text></g></svg></div>\n"
+)]
+/**
+
+The situation takes 2 bytes: for each of these sets of steps, which of them is active, if any. No two of a set are active together.
+
+- `Idle`, `Fill`, `Stir`, `Drain`
+- `Heat`*/
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct Batch {
+    region_0: __BatchRegion0,
+    region_1: __BatchRegion1,
+    var_count: ::grafcet::__private::core::primitive::u16,
+    edge_0: ::grafcet::__private::bool,
+    now: ::grafcet::__private::Ticks,
+    settled: ::grafcet::__private::bool,
+    since_0: ::grafcet::__private::Ticks,
+    since_1: ::grafcet::__private::Ticks,
+    delay_0: ::grafcet::__private::Delay,
+    kept_q_heat: ::grafcet::__private::bool,
+    association_heat: ::grafcet::__private::u8,
+    timer_flag_d_pump: ::grafcet::__private::OnDelay,
+    memory_flag_sd_pump: ::grafcet::__private::bool,
+    timer_flag_sd_pump: ::grafcet::__private::OnDelay,
+    params: BatchParams,
+}
+impl Batch {
+    ///A chart `Batch` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self::with_params(BatchParams::new())
+    }
+    ///A chart `Batch` in its initial situation, with this recipe.
+    #[must_use]
+    pub const fn with_params(params_: BatchParams) -> Self {
+        Self {
+            region_0: __BatchRegion0::INIT,
+            region_1: __BatchRegion1::NONE,
+            var_count: 0,
+            edge_0: true,
+            now: ::grafcet::__private::Ticks::ZERO,
+            settled: false,
+            since_0: ::grafcet::__private::Ticks::ZERO,
+            since_1: ::grafcet::__private::Ticks::ZERO,
+            delay_0: ::grafcet::__private::Delay::new(),
+            kept_q_heat: false,
+            association_heat: 0,
+            timer_flag_d_pump: ::grafcet::__private::OnDelay::new(),
+            memory_flag_sd_pump: false,
+            timer_flag_sd_pump: ::grafcet::__private::OnDelay::new(),
+            params: params_,
+        }
+    }
+    /// The recipe in use.
+    #[must_use]
+    pub const fn params(&self) -> &BatchParams {
+        &self.params
+    }
+    /// Exchanges the recipe; the next cycle uses the new one.
+    pub fn set_params(&mut self, params_: BatchParams) {
+        self.params = params_;
+    }
+}
+impl ::grafcet::__private::core::default::Default for Batch {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 ///The process inputs of [`Batch`], sampled once per cycle.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -92,17 +169,17 @@ impl BatchStep {
 impl ::grafcet::__private::core::fmt::Debug for BatchStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for BatchStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 ///The names of the transitions of [`Batch`].
@@ -139,17 +216,17 @@ impl BatchTransition {
 impl ::grafcet::__private::core::fmt::Debug for BatchTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for BatchTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 ///The recipe of [`Batch`]; `default()` holds the values in the chart.
@@ -172,8 +249,8 @@ impl BatchParams {
     pub const fn new() -> Self {
         Self {
             soak: {
-                let ticks_5000 = ::grafcet::__private::Ticks::new(5000u32);
-                ticks_5000
+                let ticks_5000_ = ::grafcet::__private::Ticks::new(5000u32);
+                ticks_5000_
             },
             hot: 80,
         }
@@ -212,9 +289,9 @@ enum __BatchRegion0 {
 impl ::grafcet::__private::core::fmt::Debug for __BatchRegion0 {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str(
+        f_.write_str(
             ::grafcet::__private::name_at(
                 &["Idle", "Fill", "Stir", "Drain", "NONE", "INIT"],
                 *self as ::grafcet::__private::usize,
@@ -237,91 +314,14 @@ enum __BatchRegion1 {
 impl ::grafcet::__private::core::fmt::Debug for __BatchRegion1 {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str(
+        f_.write_str(
             ::grafcet::__private::name_at(
                 &["Heat", "NONE"],
                 *self as ::grafcet::__private::usize,
             ),
         )
-    }
-}
-///The chart `Batch`.
-#[cfg_attr(
-    doc,
-    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 592 728\" style=\"width:592px;max-width:max(100%,355px);height:auto\" role=\"img\" aria-label=\"Chart Batch\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H68M100 56H116M100 184H116M412 184H428M100 408H116M100 568H116M12 712H68M60 134H388M60 138H388M60 326H388M60 330H388M12 8V712M68 8V40M68 72V134M68 138V168M68 200V326M68 330V392M68 424V552M68 584V712M116 584V616M132 600V616M148 40V72M148 168V200M148 392V424M148 552V584M148 616V648M156 200V232M156 456V488M180 424V456M380 138V168M380 200V326M460 168V200M460 264V296M484 200V264M68 96v16M68 352v16M68 512v16M68 672v16\"/><rect x=\"36\" y=\"40\" width=\"64\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"58\" height=\"26\"/><rect x=\"116\" y=\"40\" width=\"88\" height=\"32\"/><rect x=\"36\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"168\" width=\"208\" height=\"32\"/><rect x=\"116\" y=\"200\" width=\"208\" height=\"32\"/><rect x=\"348\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"428\" y=\"168\" width=\"144\" height=\"32\"/><rect x=\"428\" y=\"200\" width=\"144\" height=\"32\"/><rect x=\"428\" y=\"232\" width=\"144\" height=\"32\"/><rect x=\"428\" y=\"264\" width=\"144\" height=\"32\"/><rect x=\"36\" y=\"392\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"392\" width=\"312\" height=\"32\"/><rect x=\"116\" y=\"424\" width=\"312\" height=\"32\"/><rect x=\"116\" y=\"456\" width=\"312\" height=\"32\"/><rect x=\"36\" y=\"552\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"552\" width=\"88\" height=\"32\"/><rect x=\"116\" y=\"616\" width=\"88\" height=\"32\"/><path d=\"M54 104h28M54 360h28M54 520h28M54 680h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 355l4 9h-8z\"/><text x=\"52\" y=\"56\" textLength=\"32\">Idle</text><text x=\"128\" y=\"56\" textLength=\"8\">N</text><text x=\"160\" y=\"56\" textLength=\"32\">lamp</text><text x=\"96\" y=\"104\" textLength=\"104\">rising(start)</text><text x=\"52\" y=\"184\" textLength=\"32\">Fill</text><text x=\"128\" y=\"184\" textLength=\"8\">N</text><text x=\"160\" y=\"184\" textLength=\"40\">valve</text><text x=\"128\" y=\"216\" textLength=\"16\">P1</text><text x=\"168\" y=\"216\" textLength=\"144\">count := count + 1</text><text x=\"364\" y=\"184\" textLength=\"32\">Heat</text><text x=\"440\" y=\"184\" textLength=\"8\">N</text><text x=\"472\" y=\"184\" textLength=\"72\">heat(hot)</text><text x=\"440\" y=\"216\" textLength=\"32\">L 3s</text><text x=\"496\" y=\"216\" textLength=\"32\">lamp</text><text x=\"440\" y=\"248\" textLength=\"32\">D 1s</text><text x=\"496\" y=\"248\" textLength=\"32\">pump</text><text x=\"440\" y=\"280\" textLength=\"8\">N</text><text x=\"472\" y=\"280\" textLength=\"88\">speed := 10</text><text x=\"96\" y=\"360\" textLength=\"136\">full &amp;&amp; soak/Heat</text><text x=\"52\" y=\"408\" textLength=\"32\">Stir</text><text x=\"128\" y=\"408\" textLength=\"8\">N</text><text x=\"160\" y=\"408\" textLength=\"64\">heat(40)</text><text x=\"128\" y=\"440\" textLength=\"40\">SD 2s</text><text x=\"192\" y=\"440\" textLength=\"32\">pump</text><text x=\"128\" y=\"472\" textLength=\"16\">P0</text><text x=\"168\" y=\"472\" textLength=\"248\">{ if count &gt; 3 { count = 0; } }</text><text x=\"96\" y=\"520\" textLength=\"240\">Stir.T &gt;= 2s &amp;&amp; 1s/empty/500ms</text><text x=\"48\" y=\"568\" textLength=\"40\">Drain</text><text x=\"128\" y=\"568\" textLength=\"8\">R</text><text x=\"160\" y=\"568\" textLength=\"32\">pump</text><text x=\"144\" y=\"600\" textLength=\"72\">level &gt; 3</text><text x=\"128\" y=\"632\" textLength=\"8\">N</text><text x=\"160\" y=\"632\" textLength=\"32\">pump</text><text x=\"96\" y=\"680\" textLength=\"80\">level == 0</text></g></svg></div>\n"
-)]
-/**
-
-The situation takes 2 bytes: for each of these sets of steps, which of them is active, if any. No two of a set are active together.
-
-- `Idle`, `Fill`, `Stir`, `Drain`
-- `Heat`*/
-#[derive(
-    ::grafcet::__private::core::clone::Clone,
-    ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
-)]
-pub struct Batch {
-    region_0: __BatchRegion0,
-    region_1: __BatchRegion1,
-    var_count: ::grafcet::__private::core::primitive::u16,
-    edge_0: ::grafcet::__private::bool,
-    now: ::grafcet::__private::Ticks,
-    settled: ::grafcet::__private::bool,
-    since_0: ::grafcet::__private::Ticks,
-    since_1: ::grafcet::__private::Ticks,
-    delay_0: ::grafcet::__private::Delay,
-    kept_q_heat: ::grafcet::__private::bool,
-    association_heat: ::grafcet::__private::u8,
-    timer_flag_d_pump: ::grafcet::__private::OnDelay,
-    memory_flag_sd_pump: ::grafcet::__private::bool,
-    timer_flag_sd_pump: ::grafcet::__private::OnDelay,
-    params: BatchParams,
-}
-impl Batch {
-    ///A chart `Batch` in its initial situation; its activation belongs to the first cycle.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self::with_params(BatchParams::new())
-    }
-    ///A chart `Batch` in its initial situation, with this recipe.
-    #[must_use]
-    pub const fn with_params(params: BatchParams) -> Self {
-        Self {
-            region_0: __BatchRegion0::INIT,
-            region_1: __BatchRegion1::NONE,
-            var_count: 0,
-            edge_0: true,
-            now: ::grafcet::__private::Ticks::ZERO,
-            settled: false,
-            since_0: ::grafcet::__private::Ticks::ZERO,
-            since_1: ::grafcet::__private::Ticks::ZERO,
-            delay_0: ::grafcet::__private::Delay::new(),
-            kept_q_heat: false,
-            association_heat: 0,
-            timer_flag_d_pump: ::grafcet::__private::OnDelay::new(),
-            memory_flag_sd_pump: false,
-            timer_flag_sd_pump: ::grafcet::__private::OnDelay::new(),
-            params,
-        }
-    }
-    /// The recipe in use.
-    #[must_use]
-    pub const fn params(&self) -> &BatchParams {
-        &self.params
-    }
-    /// Exchanges the recipe; the next cycle uses the new one.
-    pub fn set_params(&mut self, params: BatchParams) {
-        self.params = params;
-    }
-}
-impl ::grafcet::__private::core::default::Default for Batch {
-    fn default() -> Self {
-        Self::new()
     }
 }
 ///A situation of [`Batch`]: which steps are active.
@@ -336,10 +336,10 @@ pub struct BatchSituation {
     region_1: __BatchRegion1,
 }
 impl BatchSituation {
-    /// Whether `step` is active in this situation.
+    /// Whether the step is active in this situation.
     #[must_use]
-    pub fn is_active(&self, step: BatchStep) -> ::grafcet::__private::bool {
-        match step {
+    pub fn is_active(&self, step_: BatchStep) -> ::grafcet::__private::bool {
+        match step_ {
             BatchStep::Idle => self.region_0 == __BatchRegion0::Idle,
             BatchStep::Fill => self.region_0 == __BatchRegion0::Fill,
             BatchStep::Heat => self.region_1 == __BatchRegion1::Heat,
@@ -351,80 +351,85 @@ impl BatchSituation {
 impl ::grafcet::__private::core::fmt::Debug for BatchSituation {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        let mut set = f.debug_set();
-        for step in <Batch as ::grafcet::__private::Chart>::STEPS {
-            if self.is_active(*step) {
-                let _ = set.entry(step);
+        let mut set_ = f_.debug_set();
+        for step_ in <Batch as ::grafcet::__private::Chart>::STEPS {
+            if self.is_active(*step_) {
+                let _ = ::grafcet::__private::core::fmt::DebugSet::entry(
+                    &mut set_,
+                    step_,
+                );
             }
         }
-        set.finish()
+        ::grafcet::__private::core::fmt::DebugSet::finish(&mut set_)
     }
 }
 /// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
 impl ::grafcet::__private::core::fmt::Display for BatchSituation {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        let names = ::grafcet::__private::core::iter::Iterator::map(
+        let names_ = ::grafcet::__private::core::iter::Iterator::map(
             <Batch as ::grafcet::__private::Chart>::STEPS.iter(),
-            |step| (*step).name(),
+            |step_| (*step_).name(),
         );
-        ::grafcet::__private::situation::write(self, names, f)
+        ::grafcet::__private::situation::write(self, names_, f_)
     }
 }
 impl Batch {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     pub fn cycle(
         &mut self,
-        inputs: &BatchInputs,
-        now: impl ::grafcet::__private::core::convert::Into<::grafcet::__private::Ticks>,
-        actions: &mut (impl BatchActions + ?::grafcet::__private::core::marker::Sized),
+        inputs_: &BatchInputs,
+        now_: impl ::grafcet::__private::core::convert::Into<
+            ::grafcet::__private::Ticks,
+        >,
+        actions_: &mut (impl BatchActions + ?::grafcet::__private::core::marker::Sized),
     ) -> BatchOutputs {
-        let now: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
-            now,
+        let now_: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
+            now_,
         );
-        let mut outputs = BatchOutputs {
+        let mut outputs_ = BatchOutputs {
             valve: false,
             pump: false,
             lamp: false,
             speed: 0,
         };
-        let elapsed = if self.region_0 == __BatchRegion0::INIT {
+        let elapsed_ = if self.region_0 == __BatchRegion0::INIT {
             ::grafcet::__private::Ticks::ZERO
         } else {
-            now.since(self.now)
+            now_.since(self.now)
         };
-        self.now = now;
-        self.since_0 = self.since_0 + elapsed;
-        self.since_1 = self.since_1 + elapsed;
+        self.now = now_;
+        self.since_0 = self.since_0 + elapsed_;
+        self.since_1 = self.since_1 + elapsed_;
         #[allow(unused_variables)]
-        let before_0 = self.region_0;
+        let before_0_ = self.region_0;
         #[allow(unused_variables)]
-        let before_1 = self.region_1;
-        let mut rising_now_0 = false;
-        let value: ::grafcet::__private::bool = inputs.start;
-        rising_now_0 = value && !self.edge_0;
-        self.edge_0 = value;
-        let input = inputs.empty;
-        self.delay_0
-            .update(
-                input,
-                ::grafcet::__private::Ticks::new(1000u32),
-                ::grafcet::__private::Ticks::new(500u32),
-                elapsed,
-            );
+        let before_1_ = self.region_1;
+        let mut rising_now_0_ = false;
+        let value_: ::grafcet::__private::bool = inputs_.start;
+        rising_now_0_ = value_ && !self.edge_0;
+        self.edge_0 = value_;
+        let input_ = inputs_.empty;
+        ::grafcet::__private::Delay::update(
+            &mut self.delay_0,
+            input_,
+            ::grafcet::__private::Ticks::new(1000u32),
+            ::grafcet::__private::Ticks::new(500u32),
+            elapsed_,
+        );
         self.settled = true;
-        let since_before_0 = self.since_0;
-        let since_before_1 = self.since_1;
+        let since_before_0_ = self.since_0;
+        let since_before_1_ = self.since_1;
         match self.region_0 {
             __BatchRegion0::Idle => {
                 if {
-                    let rising_0 = rising_now_0;
-                    rising_0
+                    let rising_0_ = rising_now_0_;
+                    rising_0_
                 } {
                     self.region_0 = __BatchRegion0::Fill;
                     self.region_1 = __BatchRegion1::Heat;
@@ -434,10 +439,10 @@ impl Batch {
             }
             __BatchRegion0::Stir => {
                 if {
-                    let since_3 = self.since_0;
-                    let ticks_2000 = ::grafcet::__private::Ticks::new(2000u32);
-                    let delay_0 = self.delay_0.output();
-                    since_3 >= ticks_2000 && delay_0
+                    let since_3_ = self.since_0;
+                    let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
+                    let delay_0_ = ::grafcet::__private::Delay::output(&self.delay_0);
+                    since_3_ >= ticks_2000_ && delay_0_
                 } {
                     self.region_0 = __BatchRegion0::Drain;
                     self.settled = false;
@@ -445,7 +450,7 @@ impl Batch {
             }
             __BatchRegion0::Drain => {
                 if {
-                    let level = inputs.level;
+                    let level = inputs_.level;
                     level == 0
                 } {
                     self.region_0 = __BatchRegion0::Idle;
@@ -460,9 +465,9 @@ impl Batch {
                 if self.region_0 == __BatchRegion0::Fill
                     && self.region_1 == __BatchRegion1::Heat
                     && {
-                        let full = inputs.full;
-                        let elapsed_param_0_2 = self.since_1 >= self.params.soak;
-                        full && elapsed_param_0_2
+                        let full = inputs_.full;
+                        let elapsed_param_0_2_ = self.since_1 >= self.params.soak;
+                        full && elapsed_param_0_2_
                     }
                 {
                     self.region_1 = __BatchRegion1::NONE;
@@ -476,111 +481,109 @@ impl Batch {
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
         #[allow(unused_variables)]
-        let after_0 = self.region_0;
+        let after_0_ = self.region_0;
         #[allow(unused_variables)]
-        let after_1 = self.region_1;
-        if rising_now_0 {
+        let after_1_ = self.region_1;
+        if rising_now_0_ {
             self.settled = false;
         }
         match self.region_0 {
             __BatchRegion0::Idle => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             __BatchRegion0::Stir | __BatchRegion0::Drain => {}
             _ => {
                 match self.region_0 {
                     __BatchRegion0::Fill => {
-                        outputs.valve = true;
+                        outputs_.valve = true;
                     }
                     _ => {}
                 }
                 match self.region_1 {
                     __BatchRegion1::Heat => {
                         if self.since_1 < ::grafcet::__private::Ticks::new(3000u32) {
-                            outputs.lamp = true;
+                            outputs_.lamp = true;
                         }
                     }
                     _ => {}
                 }
             }
         }
-        let mut flag_n_heat = false;
-        let mut left_flag_n_heat = false;
-        let mut number_n_heat: ::grafcet::__private::u8 = 0;
-        let mut flag_n_pump = false;
-        let mut flag_r_pump = false;
-        let mut flag_d_pump = false;
-        let mut flag_sd_pump = false;
+        let mut flag_n_heat_ = false;
+        let mut left_flag_n_heat_ = false;
+        let mut number_n_heat_: ::grafcet::__private::u8 = 0;
+        let mut flag_n_pump_ = false;
+        let mut flag_r_pump_ = false;
+        let mut flag_d_pump_ = false;
+        let mut flag_sd_pump_ = false;
         match self.region_1 {
             __BatchRegion1::Heat => {
-                flag_n_heat = true;
-                number_n_heat = 0;
-                flag_d_pump = true;
+                flag_n_heat_ = true;
+                number_n_heat_ = 0;
+                flag_d_pump_ = true;
             }
             _ => {}
         }
         match self.region_0 {
             __BatchRegion0::Stir => {
-                flag_n_heat = true;
-                number_n_heat = 1;
-                flag_sd_pump = true;
+                flag_n_heat_ = true;
+                number_n_heat_ = 1;
+                flag_sd_pump_ = true;
             }
             __BatchRegion0::Drain => {
-                flag_r_pump = true;
+                flag_r_pump_ = true;
                 if {
-                    let level = inputs.level;
+                    let level = inputs_.level;
                     level > 3
                 } {
-                    flag_n_pump = true;
+                    flag_n_pump_ = true;
                 }
             }
             _ => {}
         }
-        let q_heat = !false && (flag_n_heat);
-        if q_heat {
-            self.association_heat = number_n_heat;
+        let q_heat_ = !false && (flag_n_heat_);
+        if q_heat_ {
+            self.association_heat = number_n_heat_;
         }
-        let done_flag_d_pump = self
-            .timer_flag_d_pump
-            .update(
-                flag_d_pump,
-                false,
-                ::grafcet::__private::Ticks::new(1000u32),
-                elapsed,
-            );
-        self.memory_flag_sd_pump = (self.memory_flag_sd_pump || flag_sd_pump)
-            && !flag_r_pump;
-        let done_flag_sd_pump = self
-            .timer_flag_sd_pump
-            .update(
-                self.memory_flag_sd_pump,
-                false,
-                ::grafcet::__private::Ticks::new(2000u32),
-                elapsed,
-            );
-        let q_pump = !flag_r_pump
-            && (flag_n_pump || done_flag_d_pump || done_flag_sd_pump);
-        match before_1 {
+        let done_flag_d_pump_ = ::grafcet::__private::OnDelay::update(
+            &mut self.timer_flag_d_pump,
+            flag_d_pump_,
+            false,
+            ::grafcet::__private::Ticks::new(1000u32),
+            elapsed_,
+        );
+        self.memory_flag_sd_pump = (self.memory_flag_sd_pump || flag_sd_pump_)
+            && !flag_r_pump_;
+        let done_flag_sd_pump_ = ::grafcet::__private::OnDelay::update(
+            &mut self.timer_flag_sd_pump,
+            self.memory_flag_sd_pump,
+            false,
+            ::grafcet::__private::Ticks::new(2000u32),
+            elapsed_,
+        );
+        let q_pump_ = !flag_r_pump_
+            && (flag_n_pump_ || done_flag_d_pump_ || done_flag_sd_pump_);
+        match before_1_ {
             __BatchRegion1::Heat => {
-                if after_1 != __BatchRegion1::Heat {
-                    left_flag_n_heat = true;
+                if after_1_ != __BatchRegion1::Heat {
+                    left_flag_n_heat_ = true;
                 }
             }
             _ => {}
         }
-        match before_0 {
+        match before_0_ {
             __BatchRegion0::Stir => {
-                if after_0 != __BatchRegion0::Stir {
-                    left_flag_n_heat = true;
+                if after_0_ != __BatchRegion0::Stir {
+                    left_flag_n_heat_ = true;
                 }
             }
             _ => {}
         }
-        if self.kept_q_heat && !q_heat && ((left_flag_n_heat && !(flag_n_heat))) {
+        if self.kept_q_heat && !q_heat_ && ((left_flag_n_heat_ && !(flag_n_heat_))) {
             self.settled = false;
             match self.association_heat {
                 0 => {
-                    actions
+                    actions_
                         .heat(
                             ::grafcet::__private::Phase::Final,
                             {
@@ -590,13 +593,13 @@ impl Batch {
                         );
                 }
                 _ => {
-                    actions.heat(::grafcet::__private::Phase::Final, 40);
+                    actions_.heat(::grafcet::__private::Phase::Final, 40);
                 }
             }
         }
-        match before_0 {
+        match before_0_ {
             __BatchRegion0::Stir => {
-                if after_0 != __BatchRegion0::Stir {
+                if after_0_ != __BatchRegion0::Stir {
                     self.settled = false;
                     {
                         #[allow(unused_mut, unused_variables)]
@@ -615,7 +618,7 @@ impl Batch {
         }
         match self.region_0 {
             __BatchRegion0::Fill => {
-                if before_0 != __BatchRegion0::Fill {
+                if before_0_ != __BatchRegion0::Fill {
                     self.settled = false;
                     self.var_count = {
                         let count = self.var_count;
@@ -625,12 +628,12 @@ impl Batch {
             }
             _ => {}
         }
-        if q_heat {
+        if q_heat_ {
             if self.kept_q_heat {
                 self.settled = false;
                 match self.association_heat {
                     0 => {
-                        actions
+                        actions_
                             .heat(
                                 ::grafcet::__private::Phase::Repeated,
                                 {
@@ -640,14 +643,14 @@ impl Batch {
                             );
                     }
                     _ => {
-                        actions.heat(::grafcet::__private::Phase::Repeated, 40);
+                        actions_.heat(::grafcet::__private::Phase::Repeated, 40);
                     }
                 }
             } else {
                 self.settled = false;
                 match self.association_heat {
                     0 => {
-                        actions
+                        actions_
                             .heat(
                                 ::grafcet::__private::Phase::First,
                                 {
@@ -657,16 +660,17 @@ impl Batch {
                             );
                     }
                     _ => {
-                        actions.heat(::grafcet::__private::Phase::First, 40);
+                        actions_.heat(::grafcet::__private::Phase::First, 40);
                     }
                 }
             }
-        } else if self.kept_q_heat && !q_heat && !((left_flag_n_heat && !(flag_n_heat)))
+        } else if self.kept_q_heat && !q_heat_
+            && !((left_flag_n_heat_ && !(flag_n_heat_)))
         {
             self.settled = false;
             match self.association_heat {
                 0 => {
-                    actions
+                    actions_
                         .heat(
                             ::grafcet::__private::Phase::Final,
                             {
@@ -676,29 +680,29 @@ impl Batch {
                         );
                 }
                 _ => {
-                    actions.heat(::grafcet::__private::Phase::Final, 40);
+                    actions_.heat(::grafcet::__private::Phase::Final, 40);
                 }
             }
         }
-        self.kept_q_heat = q_heat;
-        outputs.pump = q_pump;
+        self.kept_q_heat = q_heat_;
+        outputs_.pump = q_pump_;
         match self.region_1 {
             __BatchRegion1::Heat => {
-                outputs.speed = 10;
+                outputs_.speed = 10;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
     /// first one.
     pub fn init(&mut self) {
         *self = Self::with_params(self.params);
     }
-    /// Whether `step` is active.
+    /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step: BatchStep) -> ::grafcet::__private::bool {
-        match step {
+    pub fn is_active(&self, step_: BatchStep) -> ::grafcet::__private::bool {
+        match step_ {
             BatchStep::Idle => {
                 self.region_0 == __BatchRegion0::Idle
                     || self.region_0 == __BatchRegion0::INIT
@@ -712,24 +716,39 @@ impl Batch {
     /// The active steps, in the order of their declaration; the capacity is the most that can be active.
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<BatchStep, 2> {
-        let mut steps = ::grafcet::__private::heapless::Vec::new();
+        let mut steps_ = ::grafcet::__private::heapless::Vec::new();
         if self.region_0 == __BatchRegion0::Idle || self.region_0 == __BatchRegion0::INIT
         {
-            let _ = steps.push(BatchStep::Idle);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Idle,
+            );
         }
         if self.region_0 == __BatchRegion0::Fill {
-            let _ = steps.push(BatchStep::Fill);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Fill,
+            );
         }
         if self.region_1 == __BatchRegion1::Heat {
-            let _ = steps.push(BatchStep::Heat);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Heat,
+            );
         }
         if self.region_0 == __BatchRegion0::Stir {
-            let _ = steps.push(BatchStep::Stir);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Stir,
+            );
         }
         if self.region_0 == __BatchRegion0::Drain {
-            let _ = steps.push(BatchStep::Drain);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                BatchStep::Drain,
+            );
         }
-        steps
+        steps_
     }
     /// The situation: which steps are active.
     #[must_use]
@@ -737,7 +756,7 @@ impl Batch {
         BatchSituation {
             region_0: match self.region_0 {
                 __BatchRegion0::INIT => __BatchRegion0::Idle,
-                entered => entered,
+                entered_ => entered_,
             },
             region_1: self.region_1,
         }
@@ -745,8 +764,8 @@ impl Batch {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps: &[BatchStep]) -> ::grafcet::__private::bool {
-        ::grafcet::__private::Chart::is_exactly(self, steps)
+    pub fn is_exactly(&self, steps_: &[BatchStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
     /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
     /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
@@ -758,10 +777,10 @@ impl Batch {
         if !self.settled {
             return ::grafcet::__private::Option::Some(self.now);
         }
-        let mut soonest = ::grafcet::__private::Option::None;
+        let mut soonest_ = ::grafcet::__private::Option::None;
         if self.region_1 == __BatchRegion1::Heat {
-            soonest = ::grafcet::__private::sooner(
-                soonest,
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
                 ::grafcet::__private::until(
                     self.since_1,
                     ::grafcet::__private::Ticks::new(3000u32),
@@ -769,40 +788,45 @@ impl Batch {
             );
         }
         if self.region_1 == __BatchRegion1::Heat {
-            soonest = ::grafcet::__private::sooner(
-                soonest,
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
                 ::grafcet::__private::until(self.since_1, self.params.soak),
             );
         }
         if self.region_0 == __BatchRegion0::Stir {
-            soonest = ::grafcet::__private::sooner(
-                soonest,
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
                 ::grafcet::__private::until(
                     self.since_0,
                     ::grafcet::__private::Ticks::new(2000u32),
                 ),
             );
         }
-        soonest = ::grafcet::__private::sooner(
-            soonest,
-            self
-                .delay_0
-                .remaining(
-                    ::grafcet::__private::Ticks::new(1000u32),
-                    ::grafcet::__private::Ticks::new(500u32),
-                ),
+        soonest_ = ::grafcet::__private::sooner(
+            soonest_,
+            ::grafcet::__private::Delay::remaining(
+                &self.delay_0,
+                ::grafcet::__private::Ticks::new(1000u32),
+                ::grafcet::__private::Ticks::new(500u32),
+            ),
         );
-        soonest = ::grafcet::__private::sooner(
-            soonest,
-            self.timer_flag_d_pump.remaining(::grafcet::__private::Ticks::new(1000u32)),
+        soonest_ = ::grafcet::__private::sooner(
+            soonest_,
+            ::grafcet::__private::OnDelay::remaining(
+                &self.timer_flag_d_pump,
+                ::grafcet::__private::Ticks::new(1000u32),
+            ),
         );
-        soonest = ::grafcet::__private::sooner(
-            soonest,
-            self.timer_flag_sd_pump.remaining(::grafcet::__private::Ticks::new(2000u32)),
+        soonest_ = ::grafcet::__private::sooner(
+            soonest_,
+            ::grafcet::__private::OnDelay::remaining(
+                &self.timer_flag_sd_pump,
+                ::grafcet::__private::Ticks::new(2000u32),
+            ),
         );
-        match soonest {
-            ::grafcet::__private::Option::Some(time) => {
-                ::grafcet::__private::Option::Some(self.now.after(time))
+        match soonest_ {
+            ::grafcet::__private::Option::Some(time_) => {
+                ::grafcet::__private::Option::Some(self.now.after(time_))
             }
             ::grafcet::__private::Option::None => ::grafcet::__private::Option::None,
         }
@@ -810,9 +834,9 @@ impl Batch {
     /// A duration in the chart's clock unit, rounded up.
     #[must_use]
     pub const fn ticks(
-        duration: ::grafcet::__private::core::time::Duration,
+        duration_: ::grafcet::__private::core::time::Duration,
     ) -> ::grafcet::__private::Ticks {
-        ::grafcet::__private::Ticks::from_duration(duration, 1000000)
+        ::grafcet::__private::Ticks::from_duration(duration_, 1000000)
     }
 }
 ///The variables of [`Batch`], as the last cycle has left them.
@@ -857,17 +881,17 @@ impl ::grafcet::__private::Chart for Batch {
     ];
     fn scan(
         &mut self,
-        inputs: &BatchInputs,
-        now: ::grafcet::__private::Ticks,
-        actions: &mut Self::Actions<'_>,
+        inputs_: &BatchInputs,
+        now_: ::grafcet::__private::Ticks,
+        actions_: &mut Self::Actions<'_>,
     ) -> BatchOutputs {
-        self.cycle(inputs, now, actions)
+        self.cycle(inputs_, now_, actions_)
     }
     fn init(&mut self) {
         self.init();
     }
-    fn is_active(&self, step: BatchStep) -> ::grafcet::__private::bool {
-        self.is_active(step)
+    fn is_active(&self, step_: BatchStep) -> ::grafcet::__private::bool {
+        self.is_active(step_)
     }
     fn situation(&self) -> BatchSituation {
         self.situation()
@@ -971,10 +995,10 @@ impl Batch {
 impl ::grafcet::__private::ActiveSteps for BatchSituation {
     fn is_active_at(
         &self,
-        step: ::grafcet::__private::usize,
+        step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Batch as ::grafcet::__private::Chart>::STEPS.get(step) {
-            ::grafcet::__private::Option::Some(active) => self.is_active(*active),
+        match <Batch as ::grafcet::__private::Chart>::STEPS.get(step_) {
+            ::grafcet::__private::Option::Some(active_) => self.is_active(*active_),
             ::grafcet::__private::Option::None => false,
         }
     }
@@ -983,9 +1007,9 @@ impl ::grafcet::__private::ActiveSteps for BatchSituation {
 const _: () = {
     #[cfg(rust_analyzer)]
     fn mentions<A: BatchActions + ?::grafcet::__private::core::marker::Sized>(
-        inputs: &BatchInputs,
-        params: &BatchParams,
-        outputs: &BatchOutputs,
+        inputs_: &BatchInputs,
+        params_: &BatchParams,
+        outputs_: &BatchOutputs,
     ) {
         let _ = [
             BatchStep::Idle,
@@ -1000,35 +1024,35 @@ const _: () = {
             BatchStep::Stir,
         ];
         let _ = (
-            &inputs.level,
-            &inputs.start,
-            &inputs.full,
-            &inputs.empty,
-            &inputs.level,
+            &inputs_.level,
+            &inputs_.start,
+            &inputs_.full,
+            &inputs_.empty,
+            &inputs_.level,
         );
-        let _ = (&params.hot,);
+        let _ = (&params_.hot,);
         let _ = (
-            &outputs.lamp,
-            &outputs.valve,
-            &outputs.lamp,
-            &outputs.pump,
-            &outputs.speed,
-            &outputs.pump,
-            &outputs.pump,
-            &outputs.pump,
+            &outputs_.lamp,
+            &outputs_.valve,
+            &outputs_.lamp,
+            &outputs_.pump,
+            &outputs_.speed,
+            &outputs_.pump,
+            &outputs_.pump,
+            &outputs_.pump,
         );
         let _ = (A::heat, A::heat);
         {
             struct Variables {
                 count: ::grafcet::__private::core::primitive::u16,
             }
-            fn mentions(variables: &Variables) {
+            fn mentions(variables_: &Variables) {
                 let _ = (
-                    &variables.count,
-                    &variables.count,
-                    &variables.count,
-                    &variables.count,
-                    &variables.count,
+                    &variables_.count,
+                    &variables_.count,
+                    &variables_.count,
+                    &variables_.count,
+                    &variables_.count,
                 );
             }
         }

@@ -1,5 +1,51 @@
 // Recorded by `cargo xtask bless`.
 
+///The chart `Cell`.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 776 696\" style=\"width:776px;max-width:max(100%,465px);height:auto\" role=\"img\" aria-label=\"Chart Cell\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M28 56H92M132 200H148M132 328H148M28 408H92M28 56V408M92 56V88M92 120V184M92 216V312M92 344V408M92 144v16M92 272v16M92 368v16M380 56H436M436 152H596M468 248H484M628 248H644M380 440H596M380 56V440M436 56V88M436 120V232M436 264V344M436 376V440M596 152V232M596 264V440M660 216V232M436 176v16M596 176v16M564 239l7 -7M621 232l7 7M628 257l-7 7M571 264l-7 -7M436 288v16M596 288v16M404 349h64M404 371h64M436 400v16M84 536H100M84 632H100M52 552V616M132 520V552M132 616V648M52 576v16M380 584H396M412 552V568M428 568V600\"/><rect x=\"4\" y=\"8\" width=\"328\" height=\"432\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"60\" y=\"88\" width=\"64\" height=\"32\"/><rect x=\"63\" y=\"91\" width=\"58\" height=\"26\"/><rect x=\"52\" y=\"184\" width=\"80\" height=\"32\"/><rect x=\"148\" y=\"184\" width=\"128\" height=\"32\"/><rect x=\"148\" y=\"216\" width=\"128\" height=\"32\"/><rect x=\"151\" y=\"219\" width=\"122\" height=\"26\"/><rect x=\"52\" y=\"312\" width=\"80\" height=\"32\"/><rect x=\"148\" y=\"312\" width=\"160\" height=\"32\"/><rect x=\"151\" y=\"315\" width=\"154\" height=\"26\"/><rect x=\"356\" y=\"8\" width=\"408\" height=\"464\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"404\" y=\"88\" width=\"64\" height=\"32\"/><rect x=\"407\" y=\"91\" width=\"58\" height=\"26\"/><rect x=\"404\" y=\"232\" width=\"64\" height=\"32\"/><rect x=\"484\" y=\"232\" width=\"56\" height=\"32\"/><rect x=\"564\" y=\"232\" width=\"64\" height=\"32\"/><rect x=\"644\" y=\"232\" width=\"56\" height=\"32\"/><rect x=\"404\" y=\"344\" width=\"64\" height=\"32\"/><rect x=\"4\" y=\"472\" width=\"256\" height=\"208\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"20\" y=\"520\" width=\"64\" height=\"32\"/><rect x=\"100\" y=\"520\" width=\"136\" height=\"32\"/><rect x=\"20\" y=\"616\" width=\"64\" height=\"32\"/><rect x=\"100\" y=\"616\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"504\" width=\"272\" height=\"128\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"316\" y=\"568\" width=\"64\" height=\"32\"/><rect x=\"396\" y=\"568\" width=\"136\" height=\"32\"/><path d=\"M78 152h28M78 280h28M78 376h28M422 184h28M582 184h28M422 296h28M582 296h28M422 408h28M38 584h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M28 227l4 9h-8z\"/><path d=\"M380 243l4 9h-8z\"/><text x=\"16\" y=\"24\" textLength=\"48\">Safety</text><text x=\"72\" y=\"104\" textLength=\"40\">Ready</text><text x=\"120\" y=\"152\" textLength=\"40\">estop</text><text x=\"64\" y=\"200\" textLength=\"56\">Stopped</text><text x=\"160\" y=\"200\" textLength=\"32\">lamp</text><text x=\"160\" y=\"232\" textLength=\"104\">Production {}</text><text x=\"120\" y=\"280\" textLength=\"48\">!estop</text><text x=\"64\" y=\"328\" textLength=\"56\">Restart</text><text x=\"160\" y=\"328\" textLength=\"136\">Production {INIT}</text><text x=\"120\" y=\"376\" textLength=\"32\">true</text><text x=\"368\" y=\"24\" textLength=\"80\">Production</text><text x=\"420\" y=\"104\" textLength=\"32\">Idle</text><text x=\"464\" y=\"184\" textLength=\"40\">start</text><text x=\"624\" y=\"184\" textLength=\"112\">auto &amp;&amp; !start</text><text x=\"420\" y=\"248\" textLength=\"32\">Feed</text><text x=\"496\" y=\"248\" textLength=\"32\">belt</text><text x=\"580\" y=\"248\" textLength=\"32\">Auto</text><text x=\"672\" y=\"216\" textLength=\"56\">Clamp.X</text><text x=\"656\" y=\"248\" textLength=\"32\">bell</text><text x=\"464\" y=\"296\" textLength=\"32\">full</text><text x=\"624\" y=\"296\" textLength=\"120\">n &gt;= 2 &amp;&amp; !part</text><text x=\"624\" y=\"312\" textLength=\"64\">⇒ n := 0</text><text x=\"416\" y=\"360\" textLength=\"40\">Clamp</text><text x=\"464\" y=\"408\" textLength=\"64\">!clamped</text><text x=\"16\" y=\"488\" textLength=\"128\">macro step Clamp</text><text x=\"32\" y=\"536\" textLength=\"40\">Close</text><text x=\"112\" y=\"536\" textLength=\"8\">↑</text><text x=\"144\" y=\"536\" textLength=\"80\">clamp := 1</text><text x=\"80\" y=\"584\" textLength=\"56\">clamped</text><text x=\"36\" y=\"632\" textLength=\"32\">Open</text><text x=\"112\" y=\"632\" textLength=\"8\">↑</text><text x=\"144\" y=\"632\" textLength=\"80\">clamp := 0</text><text x=\"296\" y=\"520\" textLength=\"120\">Auto ▸ Counting</text><text x=\"328\" y=\"584\" textLength=\"40\">Count</text><text x=\"296\" y=\"584\" textLength=\"8\">*</text><text x=\"424\" y=\"552\" textLength=\"96\">rising(part)</text><text x=\"408\" y=\"584\" textLength=\"8\">→</text><text x=\"440\" y=\"584\" textLength=\"80\">n := n + 1</text></g></svg></div>\n"
+)]
+/**
+
+The situation takes 3 bytes: for each of these sets of steps, which of them is active, if any. No two of a set are active together.
+
+- `Ready`, `Stopped`, `Restart`
+- `Idle`, `Feed`, `Close`, `Open`, `Auto`
+- `Count`*/
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct Cell {
+    region_0: __CellRegion0Mark,
+    region_1: __CellRegion1,
+    region_2: __CellRegion2,
+    out_clamp: ::grafcet::__private::core::primitive::bool,
+    var_n: ::grafcet::__private::core::primitive::u16,
+    edge_0: ::grafcet::__private::bool,
+}
+impl Cell {
+    ///A chart `Cell` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            region_0: __CellRegion0Mark::of(__CellRegion0::Ready),
+            region_1: __CellRegion1::Idle,
+            region_2: __CellRegion2::NONE,
+            out_clamp: false,
+            var_n: 0,
+            edge_0: true,
+        }
+    }
+}
+impl ::grafcet::__private::core::default::Default for Cell {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 ///The process inputs of [`Cell`], sampled once per cycle.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -107,17 +153,17 @@ impl CellStep {
 impl ::grafcet::__private::core::fmt::Debug for CellStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for CellStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 ///The names of the transitions of [`Cell`].
@@ -174,17 +220,17 @@ impl CellTransition {
 impl ::grafcet::__private::core::fmt::Debug for CellTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for CellTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 #[derive(
@@ -203,9 +249,9 @@ enum __CellRegion0 {
 impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str(
+        f_.write_str(
             ::grafcet::__private::name_at(
                 &["Ready", "Stopped", "Restart"],
                 *self as ::grafcet::__private::usize,
@@ -224,23 +270,23 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
 #[doc(hidden)]
 struct __CellRegion0Mark(::grafcet::__private::u8);
 impl __CellRegion0Mark {
-    const fn of(state: __CellRegion0) -> Self {
-        Self(state as ::grafcet::__private::u8)
+    const fn of(state_: __CellRegion0) -> Self {
+        Self(state_ as ::grafcet::__private::u8)
     }
     const fn state(self) -> __CellRegion0 {
-        let number = self.0 & 3u8;
-        if number >= 2u8 {
+        let number_ = self.0 & 3u8;
+        if number_ >= 2u8 {
             __CellRegion0::Restart
         } else {
-            match number {
+            match number_ {
                 0u8 => __CellRegion0::Ready,
                 _ => __CellRegion0::Stopped,
             }
         }
     }
     /// Another state, and the mark as it is.
-    const fn with(self, state: __CellRegion0) -> Self {
-        Self(self.0 & 4u8 | state as ::grafcet::__private::u8)
+    const fn with(self, state_: __CellRegion0) -> Self {
+        Self(self.0 & 4u8 | state_ as ::grafcet::__private::u8)
     }
     const fn unmarked(self) -> Self {
         Self(self.0 & 3u8)
@@ -271,9 +317,9 @@ enum __CellRegion1 {
 impl ::grafcet::__private::core::fmt::Debug for __CellRegion1 {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str(
+        f_.write_str(
             ::grafcet::__private::name_at(
                 &["Idle", "Feed", "Close", "Open", "Auto", "NONE"],
                 *self as ::grafcet::__private::usize,
@@ -296,60 +342,14 @@ enum __CellRegion2 {
 impl ::grafcet::__private::core::fmt::Debug for __CellRegion2 {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str(
+        f_.write_str(
             ::grafcet::__private::name_at(
                 &["Count", "NONE"],
                 *self as ::grafcet::__private::usize,
             ),
         )
-    }
-}
-///The chart `Cell`.
-#[cfg_attr(
-    doc,
-    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 776 696\" style=\"width:776px;max-width:max(100%,465px);height:auto\" role=\"img\" aria-label=\"Chart Cell\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M28 56H92M132 200H148M132 328H148M28 408H92M28 56V408M92 56V88M92 120V184M92 216V312M92 344V408M92 144v16M92 272v16M92 368v16M380 56H436M436 152H596M468 248H484M628 248H644M380 440H596M380 56V440M436 56V88M436 120V232M436 264V344M436 376V440M596 152V232M596 264V440M660 216V232M436 176v16M596 176v16M564 239l7 -7M621 232l7 7M628 257l-7 7M571 264l-7 -7M436 288v16M596 288v16M404 349h64M404 371h64M436 400v16M84 536H100M84 632H100M52 552V616M132 520V552M132 616V648M52 576v16M380 584H396M412 552V568M428 568V600\"/><rect x=\"4\" y=\"8\" width=\"328\" height=\"432\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"60\" y=\"88\" width=\"64\" height=\"32\"/><rect x=\"63\" y=\"91\" width=\"58\" height=\"26\"/><rect x=\"52\" y=\"184\" width=\"80\" height=\"32\"/><rect x=\"148\" y=\"184\" width=\"128\" height=\"32\"/><rect x=\"148\" y=\"216\" width=\"128\" height=\"32\"/><rect x=\"151\" y=\"219\" width=\"122\" height=\"26\"/><rect x=\"52\" y=\"312\" width=\"80\" height=\"32\"/><rect x=\"148\" y=\"312\" width=\"160\" height=\"32\"/><rect x=\"151\" y=\"315\" width=\"154\" height=\"26\"/><rect x=\"356\" y=\"8\" width=\"408\" height=\"464\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"404\" y=\"88\" width=\"64\" height=\"32\"/><rect x=\"407\" y=\"91\" width=\"58\" height=\"26\"/><rect x=\"404\" y=\"232\" width=\"64\" height=\"32\"/><rect x=\"484\" y=\"232\" width=\"56\" height=\"32\"/><rect x=\"564\" y=\"232\" width=\"64\" height=\"32\"/><rect x=\"644\" y=\"232\" width=\"56\" height=\"32\"/><rect x=\"404\" y=\"344\" width=\"64\" height=\"32\"/><rect x=\"4\" y=\"472\" width=\"256\" height=\"208\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"20\" y=\"520\" width=\"64\" height=\"32\"/><rect x=\"100\" y=\"520\" width=\"136\" height=\"32\"/><rect x=\"20\" y=\"616\" width=\"64\" height=\"32\"/><rect x=\"100\" y=\"616\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"504\" width=\"272\" height=\"128\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"316\" y=\"568\" width=\"64\" height=\"32\"/><rect x=\"396\" y=\"568\" width=\"136\" height=\"32\"/><path d=\"M78 152h28M78 280h28M78 376h28M422 184h28M582 184h28M422 296h28M582 296h28M422 408h28M38 584h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M28 227l4 9h-8z\"/><path d=\"M380 243l4 9h-8z\"/><text x=\"16\" y=\"24\" textLength=\"48\">Safety</text><text x=\"72\" y=\"104\" textLength=\"40\">Ready</text><text x=\"120\" y=\"152\" textLength=\"40\">estop</text><text x=\"64\" y=\"200\" textLength=\"56\">Stopped</text><text x=\"160\" y=\"200\" textLength=\"32\">lamp</text><text x=\"160\" y=\"232\" textLength=\"104\">Production {}</text><text x=\"120\" y=\"280\" textLength=\"48\">!estop</text><text x=\"64\" y=\"328\" textLength=\"56\">Restart</text><text x=\"160\" y=\"328\" textLength=\"136\">Production {INIT}</text><text x=\"120\" y=\"376\" textLength=\"32\">true</text><text x=\"368\" y=\"24\" textLength=\"80\">Production</text><text x=\"420\" y=\"104\" textLength=\"32\">Idle</text><text x=\"464\" y=\"184\" textLength=\"40\">start</text><text x=\"624\" y=\"184\" textLength=\"112\">auto &amp;&amp; !start</text><text x=\"420\" y=\"248\" textLength=\"32\">Feed</text><text x=\"496\" y=\"248\" textLength=\"32\">belt</text><text x=\"580\" y=\"248\" textLength=\"32\">Auto</text><text x=\"672\" y=\"216\" textLength=\"56\">Clamp.X</text><text x=\"656\" y=\"248\" textLength=\"32\">bell</text><text x=\"464\" y=\"296\" textLength=\"32\">full</text><text x=\"624\" y=\"296\" textLength=\"120\">n &gt;= 2 &amp;&amp; !part</text><text x=\"624\" y=\"312\" textLength=\"64\">⇒ n := 0</text><text x=\"416\" y=\"360\" textLength=\"40\">Clamp</text><text x=\"464\" y=\"408\" textLength=\"64\">!clamped</text><text x=\"16\" y=\"488\" textLength=\"128\">macro step Clamp</text><text x=\"32\" y=\"536\" textLength=\"40\">Close</text><text x=\"112\" y=\"536\" textLength=\"8\">↑</text><text x=\"144\" y=\"536\" textLength=\"80\">clamp := 1</text><text x=\"80\" y=\"584\" textLength=\"56\">clamped</text><text x=\"36\" y=\"632\" textLength=\"32\">Open</text><text x=\"112\" y=\"632\" textLength=\"8\">↑</text><text x=\"144\" y=\"632\" textLength=\"80\">clamp := 0</text><text x=\"296\" y=\"520\" textLength=\"120\">Auto ▸ Counting</text><text x=\"328\" y=\"584\" textLength=\"40\">Count</text><text x=\"296\" y=\"584\" textLength=\"8\">*</text><text x=\"424\" y=\"552\" textLength=\"96\">rising(part)</text><text x=\"408\" y=\"584\" textLength=\"8\">→</text><text x=\"440\" y=\"584\" textLength=\"80\">n := n + 1</text></g></svg></div>\n"
-)]
-/**
-
-The situation takes 3 bytes: for each of these sets of steps, which of them is active, if any. No two of a set are active together.
-
-- `Ready`, `Stopped`, `Restart`
-- `Idle`, `Feed`, `Close`, `Open`, `Auto`
-- `Count`*/
-#[derive(
-    ::grafcet::__private::core::clone::Clone,
-    ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
-)]
-pub struct Cell {
-    region_0: __CellRegion0Mark,
-    region_1: __CellRegion1,
-    region_2: __CellRegion2,
-    out_clamp: ::grafcet::__private::core::primitive::bool,
-    var_n: ::grafcet::__private::core::primitive::u16,
-    edge_0: ::grafcet::__private::bool,
-}
-impl Cell {
-    ///A chart `Cell` in its initial situation; its activation belongs to the first cycle.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self {
-            region_0: __CellRegion0Mark::of(__CellRegion0::Ready),
-            region_1: __CellRegion1::Idle,
-            region_2: __CellRegion2::NONE,
-            out_clamp: false,
-            var_n: 0,
-            edge_0: true,
-        }
-    }
-}
-impl ::grafcet::__private::core::default::Default for Cell {
-    fn default() -> Self {
-        Self::new()
     }
 }
 ///A situation of [`Cell`]: which steps are active.
@@ -365,10 +365,10 @@ pub struct CellSituation {
     region_2: __CellRegion2,
 }
 impl CellSituation {
-    /// Whether `step` is active in this situation.
+    /// Whether the step is active in this situation.
     #[must_use]
-    pub fn is_active(&self, step: CellStep) -> ::grafcet::__private::bool {
-        match step {
+    pub fn is_active(&self, step_: CellStep) -> ::grafcet::__private::bool {
+        match step_ {
             CellStep::Ready => self.region_0 == __CellRegion0::Ready,
             CellStep::Stopped => self.region_0 == __CellRegion0::Stopped,
             CellStep::Restart => self.region_0 == __CellRegion0::Restart,
@@ -384,129 +384,132 @@ impl CellSituation {
 impl ::grafcet::__private::core::fmt::Debug for CellSituation {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        let mut set = f.debug_set();
-        for step in <Cell as ::grafcet::__private::Chart>::STEPS {
-            if self.is_active(*step) {
-                let _ = set.entry(step);
+        let mut set_ = f_.debug_set();
+        for step_ in <Cell as ::grafcet::__private::Chart>::STEPS {
+            if self.is_active(*step_) {
+                let _ = ::grafcet::__private::core::fmt::DebugSet::entry(
+                    &mut set_,
+                    step_,
+                );
             }
         }
-        set.finish()
+        ::grafcet::__private::core::fmt::DebugSet::finish(&mut set_)
     }
 }
 /// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
 impl ::grafcet::__private::core::fmt::Display for CellSituation {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        let names = ::grafcet::__private::core::iter::Iterator::map(
+        let names_ = ::grafcet::__private::core::iter::Iterator::map(
             <Cell as ::grafcet::__private::Chart>::STEPS.iter(),
-            |step| (*step).name(),
+            |step_| (*step_).name(),
         );
-        ::grafcet::__private::situation::write(self, names, f)
+        ::grafcet::__private::situation::write(self, names_, f_)
     }
 }
 impl Cell {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    pub fn cycle(&mut self, inputs: &CellInputs) -> CellOutputs {
-        let mut outputs = CellOutputs {
+    pub fn cycle(&mut self, inputs_: &CellInputs) -> CellOutputs {
+        let mut outputs_ = CellOutputs {
             belt: false,
             clamp: false,
             lamp: false,
             bell: false,
         };
         self.region_0 = self.region_0.unmarked();
-        let mut evolutions_left: ::grafcet::__private::u32 = 20;
-        let mut rising_now_0 = false;
+        let mut evolutions_left_: ::grafcet::__private::u32 = 20;
+        let mut rising_now_0_ = false;
         loop {
-            let inputs = ::grafcet::__private::core::hint::black_box(inputs);
-            let before_0 = self.region_0.state();
-            let before_1 = self.region_1;
-            let before_2 = self.region_2;
-            let mut after_0 = before_0;
-            let mut after_1 = before_1;
-            let mut after_2 = before_2;
-            let edge_before_0 = self.edge_0;
-            let value: ::grafcet::__private::bool = inputs.part;
-            rising_now_0 = value && !self.edge_0;
-            self.edge_0 = value;
-            let mut next_n = self.var_n;
-            match before_0 {
+            let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
+            let before_0_ = self.region_0.state();
+            let before_1_ = self.region_1;
+            let before_2_ = self.region_2;
+            let mut after_0_ = before_0_;
+            let mut after_1_ = before_1_;
+            let mut after_2_ = before_2_;
+            let edge_before_0_ = self.edge_0;
+            let value_: ::grafcet::__private::bool = inputs_.part;
+            rising_now_0_ = value_ && !self.edge_0;
+            self.edge_0 = value_;
+            let mut next_n_ = self.var_n;
+            match before_0_ {
                 __CellRegion0::Ready => {
-                    if inputs.estop {
-                        after_0 = __CellRegion0::Stopped;
+                    if inputs_.estop {
+                        after_0_ = __CellRegion0::Stopped;
                     }
                 }
                 __CellRegion0::Stopped => {
-                    if !inputs.estop {
-                        after_0 = __CellRegion0::Restart;
+                    if !inputs_.estop {
+                        after_0_ = __CellRegion0::Restart;
                     }
                 }
                 __CellRegion0::Restart => {
-                    after_0 = __CellRegion0::Ready;
+                    after_0_ = __CellRegion0::Ready;
                 }
             }
-            if after_0 == __CellRegion0::Restart {
-                after_1 = __CellRegion1::Idle;
-            } else if after_0 == __CellRegion0::Stopped {
-                after_1 = __CellRegion1::NONE;
-            } else if !((before_0 == __CellRegion0::Stopped)
-                || (before_0 == __CellRegion0::Restart))
+            if after_0_ == __CellRegion0::Restart {
+                after_1_ = __CellRegion1::Idle;
+            } else if after_0_ == __CellRegion0::Stopped {
+                after_1_ = __CellRegion1::NONE;
+            } else if !((before_0_ == __CellRegion0::Stopped)
+                || (before_0_ == __CellRegion0::Restart))
             {
-                match before_1 {
+                match before_1_ {
                     __CellRegion1::Idle => {
-                        if inputs.start {
-                            after_1 = __CellRegion1::Feed;
+                        if inputs_.start {
+                            after_1_ = __CellRegion1::Feed;
                         } else if {
-                            let value = inputs.auto && !inputs.start;
-                            value
+                            let value_ = inputs_.auto && !inputs_.start;
+                            value_
                         } {
-                            after_1 = __CellRegion1::Auto;
+                            after_1_ = __CellRegion1::Auto;
                         } else {}
                     }
                     __CellRegion1::Feed => {
-                        if inputs.full {
-                            after_1 = __CellRegion1::Close;
+                        if inputs_.full {
+                            after_1_ = __CellRegion1::Close;
                         }
                     }
                     __CellRegion1::Close => {
-                        if inputs.clamped {
-                            after_1 = __CellRegion1::Open;
+                        if inputs_.clamped {
+                            after_1_ = __CellRegion1::Open;
                         }
                     }
                     __CellRegion1::Open => {
-                        if !inputs.clamped {
-                            after_1 = __CellRegion1::Idle;
+                        if !inputs_.clamped {
+                            after_1_ = __CellRegion1::Idle;
                         }
                     }
                     __CellRegion1::Auto => {
                         if {
                             let n = self.var_n;
-                            let part = inputs.part;
+                            let part = inputs_.part;
                             n >= 2 && !part
                         } {
-                            next_n = 0;
-                            after_1 = __CellRegion1::Idle;
+                            next_n_ = 0;
+                            after_1_ = __CellRegion1::Idle;
                         }
                     }
                     _ => {}
                 }
             }
-            if !(after_1 == __CellRegion1::Auto) {
-                after_2 = __CellRegion2::NONE;
-            } else if !(before_1 == __CellRegion1::Auto) {
-                after_2 = __CellRegion2::Count;
+            if !(after_1_ == __CellRegion1::Auto) {
+                after_2_ = __CellRegion2::NONE;
+            } else if !(before_1_ == __CellRegion1::Auto) {
+                after_2_ = __CellRegion2::Count;
             } else {}
-            match before_2 {
+            match before_2_ {
                 __CellRegion2::Count => {
                     if {
-                        let rising_0 = rising_now_0;
-                        rising_0
+                        let rising_0_ = rising_now_0_;
+                        rising_0_
                     } {
-                        next_n = {
+                        next_n_ = {
                             let n = self.var_n;
                             n + 1
                         };
@@ -514,71 +517,71 @@ impl Cell {
                 }
                 _ => {}
             }
-            if after_0 == before_0 && after_1 == before_1 && after_2 == before_2
-                && next_n == self.var_n
+            if after_0_ == before_0_ && after_1_ == before_1_ && after_2_ == before_2_
+                && next_n_ == self.var_n
             {
                 break;
             }
-            if evolutions_left == 0 {
-                self.edge_0 = edge_before_0;
+            if evolutions_left_ == 0 {
+                self.edge_0 = edge_before_0_;
                 self.region_0 = self.region_0.marked();
                 break;
             }
-            evolutions_left -= 1;
-            match after_1 {
+            evolutions_left_ -= 1;
+            match after_1_ {
                 __CellRegion1::Close => {
-                    if before_1 != __CellRegion1::Close {
+                    if before_1_ != __CellRegion1::Close {
                         self.out_clamp = true;
                     }
                 }
                 __CellRegion1::Open => {
-                    if before_1 != __CellRegion1::Open {
+                    if before_1_ != __CellRegion1::Open {
                         self.out_clamp = false;
                     }
                 }
                 _ => {}
             }
-            self.var_n = next_n;
-            self.region_0 = __CellRegion0Mark::of(after_0);
-            self.region_1 = after_1;
-            self.region_2 = after_2;
+            self.var_n = next_n_;
+            self.region_0 = __CellRegion0Mark::of(after_0_);
+            self.region_1 = after_1_;
+            self.region_2 = after_2_;
         }
-        let after_0 = self.region_0.state();
-        let after_1 = self.region_1;
-        let after_2 = self.region_2;
-        match after_0 {
+        let after_0_ = self.region_0.state();
+        let after_1_ = self.region_1;
+        let after_2_ = self.region_2;
+        match after_0_ {
             __CellRegion0::Stopped => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        match after_1 {
+        match after_1_ {
             __CellRegion1::Feed => {
-                outputs.belt = true;
+                outputs_.belt = true;
             }
             __CellRegion1::Auto => {
                 if {
-                    let macro_active_0 = (after_1 == __CellRegion1::Close)
-                        || (after_1 == __CellRegion1::Open);
-                    macro_active_0
+                    let macro_active_0_ = (after_1_ == __CellRegion1::Close)
+                        || (after_1_ == __CellRegion1::Open);
+                    macro_active_0_
                 } {
-                    outputs.bell = true;
+                    outputs_.bell = true;
                 }
             }
             _ => {}
         }
-        outputs.clamp = self.out_clamp;
-        outputs
+        outputs_.clamp = self.out_clamp;
+        outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
     /// first one.
     pub fn init(&mut self) {
         *self = Self::new();
     }
-    /// Whether `step` is active.
+    /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step: CellStep) -> ::grafcet::__private::bool {
-        match step {
+    pub fn is_active(&self, step_: CellStep) -> ::grafcet::__private::bool {
+        match step_ {
             CellStep::Ready => self.region_0.state() == __CellRegion0::Ready,
             CellStep::Stopped => self.region_0.state() == __CellRegion0::Stopped,
             CellStep::Restart => self.region_0.state() == __CellRegion0::Restart,
@@ -593,35 +596,62 @@ impl Cell {
     /// The active steps, in the order of their declaration; the capacity is the most that can be active.
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<CellStep, 3> {
-        let mut steps = ::grafcet::__private::heapless::Vec::new();
+        let mut steps_ = ::grafcet::__private::heapless::Vec::new();
         if self.region_0.state() == __CellRegion0::Ready {
-            let _ = steps.push(CellStep::Ready);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Ready,
+            );
         }
         if self.region_0.state() == __CellRegion0::Stopped {
-            let _ = steps.push(CellStep::Stopped);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Stopped,
+            );
         }
         if self.region_0.state() == __CellRegion0::Restart {
-            let _ = steps.push(CellStep::Restart);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Restart,
+            );
         }
         if self.region_1 == __CellRegion1::Idle {
-            let _ = steps.push(CellStep::Idle);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Idle,
+            );
         }
         if self.region_1 == __CellRegion1::Feed {
-            let _ = steps.push(CellStep::Feed);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Feed,
+            );
         }
         if self.region_1 == __CellRegion1::Close {
-            let _ = steps.push(CellStep::Close);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Close,
+            );
         }
         if self.region_1 == __CellRegion1::Open {
-            let _ = steps.push(CellStep::Open);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Open,
+            );
         }
         if self.region_1 == __CellRegion1::Auto {
-            let _ = steps.push(CellStep::Auto);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Auto,
+            );
         }
         if self.region_2 == __CellRegion2::Count {
-            let _ = steps.push(CellStep::Count);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                CellStep::Count,
+            );
         }
-        steps
+        steps_
     }
     /// The situation: which steps are active.
     #[must_use]
@@ -635,8 +665,8 @@ impl Cell {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps: &[CellStep]) -> ::grafcet::__private::bool {
-        ::grafcet::__private::Chart::is_exactly(self, steps)
+    pub fn is_exactly(&self, steps_: &[CellStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
     /// and keeps the situation it had reached (decision A30).
@@ -696,17 +726,17 @@ impl ::grafcet::__private::Chart for Cell {
     ];
     fn scan(
         &mut self,
-        inputs: &CellInputs,
-        _now: ::grafcet::__private::Ticks,
-        _actions: &mut Self::Actions<'_>,
+        inputs_: &CellInputs,
+        _: ::grafcet::__private::Ticks,
+        _: &mut Self::Actions<'_>,
     ) -> CellOutputs {
-        self.cycle(inputs)
+        self.cycle(inputs_)
     }
     fn init(&mut self) {
         self.init();
     }
-    fn is_active(&self, step: CellStep) -> ::grafcet::__private::bool {
-        self.is_active(step)
+    fn is_active(&self, step_: CellStep) -> ::grafcet::__private::bool {
+        self.is_active(step_)
     }
     fn situation(&self) -> CellSituation {
         self.situation()
@@ -815,10 +845,10 @@ impl Cell {
 impl ::grafcet::__private::ActiveSteps for CellSituation {
     fn is_active_at(
         &self,
-        step: ::grafcet::__private::usize,
+        step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Cell as ::grafcet::__private::Chart>::STEPS.get(step) {
-            ::grafcet::__private::Option::Some(active) => self.is_active(*active),
+        match <Cell as ::grafcet::__private::Chart>::STEPS.get(step_) {
+            ::grafcet::__private::Option::Some(active_) => self.is_active(*active_),
             ::grafcet::__private::Option::None => false,
         }
     }
@@ -826,7 +856,7 @@ impl ::grafcet::__private::ActiveSteps for CellSituation {
 #[allow(unexpected_cfgs)]
 const _: () = {
     #[cfg(rust_analyzer)]
-    fn mentions(inputs: &CellInputs, outputs: &CellOutputs) {
+    fn mentions(inputs_: &CellInputs, outputs_: &CellOutputs) {
         let _ = [
             CellStep::Ready,
             CellStep::Stopped,
@@ -842,23 +872,23 @@ const _: () = {
             CellStep::Idle,
         ];
         let _ = (
-            &inputs.estop,
-            &inputs.estop,
-            &inputs.clamped,
-            &inputs.part,
-            &inputs.start,
-            &inputs.full,
-            &inputs.clamped,
-            &inputs.auto,
-            &inputs.start,
-            &inputs.part,
+            &inputs_.estop,
+            &inputs_.estop,
+            &inputs_.clamped,
+            &inputs_.part,
+            &inputs_.start,
+            &inputs_.full,
+            &inputs_.clamped,
+            &inputs_.auto,
+            &inputs_.start,
+            &inputs_.part,
         );
         let _ = (
-            &outputs.lamp,
-            &outputs.belt,
-            &outputs.clamp,
-            &outputs.clamp,
-            &outputs.bell,
+            &outputs_.lamp,
+            &outputs_.belt,
+            &outputs_.clamp,
+            &outputs_.clamp,
+            &outputs_.bell,
         );
         {
             enum MacroStep {
@@ -878,8 +908,8 @@ const _: () = {
             struct Variables {
                 n: ::grafcet::__private::core::primitive::u16,
             }
-            fn mentions(variables: &Variables) {
-                let _ = (&variables.n, &variables.n, &variables.n, &variables.n);
+            fn mentions(variables_: &Variables) {
+                let _ = (&variables_.n, &variables_.n, &variables_.n, &variables_.n);
             }
         }
     }

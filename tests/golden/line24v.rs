@@ -1,5 +1,37 @@
 // Recorded by `cargo xtask bless`.
 
+/// The 24 V production line.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 232 456\" style=\"width:232px;max-width:max(100%,139px);height:auto\" role=\"img\" aria-label=\"Chart Line24V\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H60M84 56H100M84 152H100M84 264H100M84 360H100M12 440H60M12 8V440M60 8V40M60 72V136M60 168V248M60 280V344M60 376V440M116 232V248M132 136V168M132 344V376M60 96v16M60 192v16M60 304v16M60 400v16\"/><rect x=\"36\" y=\"40\" width=\"48\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"42\" height=\"26\"/><rect x=\"100\" y=\"40\" width=\"40\" height=\"32\"/><rect x=\"36\" y=\"136\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"136\" width=\"112\" height=\"32\"/><rect x=\"36\" y=\"248\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"248\" width=\"40\" height=\"32\"/><rect x=\"36\" y=\"344\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"344\" width=\"112\" height=\"32\"/><path d=\"M46 104h28M46 200h28M46 312h28M46 408h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 195l4 9h-8z\"/><text x=\"52\" y=\"56\" textLength=\"16\">S1</text><text x=\"112\" y=\"56\" textLength=\"16\">q1</text><text x=\"88\" y=\"104\" textLength=\"16\">b1</text><text x=\"52\" y=\"152\" textLength=\"16\">S2</text><text x=\"112\" y=\"152\" textLength=\"8\">↑</text><text x=\"144\" y=\"152\" textLength=\"56\">q2 := 1</text><text x=\"88\" y=\"200\" textLength=\"16\">b2</text><text x=\"52\" y=\"264\" textLength=\"16\">S3</text><text x=\"128\" y=\"232\" textLength=\"16\">b5</text><text x=\"112\" y=\"264\" textLength=\"16\">q3</text><text x=\"88\" y=\"312\" textLength=\"16\">b3</text><text x=\"52\" y=\"360\" textLength=\"16\">S4</text><text x=\"112\" y=\"360\" textLength=\"8\">↑</text><text x=\"144\" y=\"360\" textLength=\"56\">q2 := 0</text><text x=\"88\" y=\"408\" textLength=\"16\">b4</text></g></svg></div>\n"
+)]
+/**
+
+The situation takes one byte: which of its 4 steps is active.*/
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct Line24V {
+    situation: __Line24VStateMark,
+}
+impl Line24V {
+    ///A chart `Line24V` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            situation: __Line24VStateMark::of(__Line24VState::S1),
+        }
+    }
+}
+impl ::grafcet::__private::core::default::Default for Line24V {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 ///The process inputs of [`Line24V`], sampled once per cycle.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -82,17 +114,17 @@ impl Line24VStep {
 impl ::grafcet::__private::core::fmt::Debug for Line24VStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for Line24VStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 ///The names of the transitions of [`Line24V`].
@@ -129,17 +161,17 @@ impl Line24VTransition {
 impl ::grafcet::__private::core::fmt::Debug for Line24VTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for Line24VTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 #[derive(
@@ -160,9 +192,9 @@ enum __Line24VState {
 impl ::grafcet::__private::core::fmt::Debug for __Line24VState {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str(
+        f_.write_str(
             ::grafcet::__private::name_at(
                 &["S1", "S2", "S3", "S4"],
                 *self as ::grafcet::__private::usize,
@@ -181,15 +213,15 @@ impl ::grafcet::__private::core::fmt::Debug for __Line24VState {
 #[doc(hidden)]
 struct __Line24VStateMark(::grafcet::__private::u8);
 impl __Line24VStateMark {
-    const fn of(state: __Line24VState) -> Self {
-        Self(state as ::grafcet::__private::u8)
+    const fn of(state_: __Line24VState) -> Self {
+        Self(state_ as ::grafcet::__private::u8)
     }
     const fn state(self) -> __Line24VState {
-        let number = self.0 & 3u8;
-        if number >= 3u8 {
+        let number_ = self.0 & 3u8;
+        if number_ >= 3u8 {
             __Line24VState::S4
         } else {
-            match number {
+            match number_ {
                 0u8 => __Line24VState::S1,
                 1u8 => __Line24VState::S2,
                 _ => __Line24VState::S3,
@@ -197,8 +229,8 @@ impl __Line24VStateMark {
         }
     }
     /// Another state, and the mark as it is.
-    const fn with(self, state: __Line24VState) -> Self {
-        Self(self.0 & 4u8 | state as ::grafcet::__private::u8)
+    const fn with(self, state_: __Line24VState) -> Self {
+        Self(self.0 & 4u8 | state_ as ::grafcet::__private::u8)
     }
     const fn unmarked(self) -> Self {
         Self(self.0 & 3u8)
@@ -210,90 +242,58 @@ impl __Line24VStateMark {
         self.0 & 4u8 != 0
     }
 }
-/// The 24 V production line.
-#[cfg_attr(
-    doc,
-    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 232 456\" style=\"width:232px;max-width:max(100%,139px);height:auto\" role=\"img\" aria-label=\"Chart Line24V\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H60M84 56H100M84 152H100M84 264H100M84 360H100M12 440H60M12 8V440M60 8V40M60 72V136M60 168V248M60 280V344M60 376V440M116 232V248M132 136V168M132 344V376M60 96v16M60 192v16M60 304v16M60 400v16\"/><rect x=\"36\" y=\"40\" width=\"48\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"42\" height=\"26\"/><rect x=\"100\" y=\"40\" width=\"40\" height=\"32\"/><rect x=\"36\" y=\"136\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"136\" width=\"112\" height=\"32\"/><rect x=\"36\" y=\"248\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"248\" width=\"40\" height=\"32\"/><rect x=\"36\" y=\"344\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"344\" width=\"112\" height=\"32\"/><path d=\"M46 104h28M46 200h28M46 312h28M46 408h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 195l4 9h-8z\"/><text x=\"52\" y=\"56\" textLength=\"16\">S1</text><text x=\"112\" y=\"56\" textLength=\"16\">q1</text><text x=\"88\" y=\"104\" textLength=\"16\">b1</text><text x=\"52\" y=\"152\" textLength=\"16\">S2</text><text x=\"112\" y=\"152\" textLength=\"8\">↑</text><text x=\"144\" y=\"152\" textLength=\"56\">q2 := 1</text><text x=\"88\" y=\"200\" textLength=\"16\">b2</text><text x=\"52\" y=\"264\" textLength=\"16\">S3</text><text x=\"128\" y=\"232\" textLength=\"16\">b5</text><text x=\"112\" y=\"264\" textLength=\"16\">q3</text><text x=\"88\" y=\"312\" textLength=\"16\">b3</text><text x=\"52\" y=\"360\" textLength=\"16\">S4</text><text x=\"112\" y=\"360\" textLength=\"8\">↑</text><text x=\"144\" y=\"360\" textLength=\"56\">q2 := 0</text><text x=\"88\" y=\"408\" textLength=\"16\">b4</text></g></svg></div>\n"
-)]
-/**
-
-The situation takes one byte: which of its 4 steps is active.*/
-#[derive(
-    ::grafcet::__private::core::clone::Clone,
-    ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
-)]
-pub struct Line24V {
-    situation: __Line24VStateMark,
-}
 impl Line24V {
-    ///A chart `Line24V` in its initial situation; its activation belongs to the first cycle.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self {
-            situation: __Line24VStateMark::of(__Line24VState::S1),
-        }
-    }
-}
-impl ::grafcet::__private::core::default::Default for Line24V {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-impl Line24V {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    pub fn cycle(&mut self, inputs: &Line24VInputs) -> Line24VOutputs {
-        let mut outputs = const {
+    pub fn cycle(&mut self, inputs_: &Line24VInputs) -> Line24VOutputs {
+        let mut outputs_ = const {
             Line24VOutputs {
                 q1: false,
                 q2: false,
                 q3: false,
             }
         };
-        let mut now_state: __Line24VState = self.situation.state();
-        self.situation = __Line24VStateMark::of(now_state);
+        let mut now_state_: __Line24VState = self.situation.state();
+        self.situation = __Line24VStateMark::of(now_state_);
         self.situation = self.situation.unmarked();
-        let mut evolutions: ::grafcet::__private::u32 = 0;
+        let mut evolutions_: ::grafcet::__private::u32 = 0;
         loop {
-            let inputs = ::grafcet::__private::core::hint::black_box(inputs);
+            let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
             ::grafcet::__private::fence_on_armv6m();
-            match now_state {
+            match now_state_ {
                 __Line24VState::S1 => {
-                    if inputs.b1 {
-                        now_state = __Line24VState::S2;
+                    if inputs_.b1 {
+                        now_state_ = __Line24VState::S2;
                     } else {
                         break;
                     }
                 }
                 __Line24VState::S2 => {
-                    if inputs.b2 {
-                        now_state = __Line24VState::S3;
+                    if inputs_.b2 {
+                        now_state_ = __Line24VState::S3;
                     } else {
                         break;
                     }
                 }
                 __Line24VState::S3 => {
-                    if inputs.b3 {
-                        now_state = __Line24VState::S4;
+                    if inputs_.b3 {
+                        now_state_ = __Line24VState::S4;
                     } else {
                         break;
                     }
                 }
                 __Line24VState::S4 => {
-                    if inputs.b4 {
-                        now_state = __Line24VState::S1;
+                    if inputs_.b4 {
+                        now_state_ = __Line24VState::S1;
                     } else {
                         break;
                     }
                 }
             }
-            self.situation = __Line24VStateMark::of(now_state);
+            self.situation = __Line24VStateMark::of(now_state_);
             self.situation = self.situation.unmarked();
-            evolutions = evolutions.wrapping_add(1);
-            if evolutions == 10 {
+            evolutions_ = evolutions_.wrapping_add(1);
+            if evolutions_ == 10 {
                 self.situation = self.situation.marked();
                 break;
             }
@@ -303,7 +303,7 @@ impl Line24V {
         );
         match self.situation.state() {
             __Line24VState::S1 => {
-                outputs = const {
+                outputs_ = const {
                     Line24VOutputs {
                         q1: true,
                         q2: false,
@@ -312,7 +312,7 @@ impl Line24V {
                 };
             }
             __Line24VState::S2 => {
-                outputs = const {
+                outputs_ = const {
                     Line24VOutputs {
                         q1: false,
                         q2: true,
@@ -321,17 +321,17 @@ impl Line24V {
                 };
             }
             __Line24VState::S3 => {
-                outputs = const {
+                outputs_ = const {
                     Line24VOutputs {
                         q1: false,
                         q2: true,
                         q3: false,
                     }
                 };
-                outputs.q3 = inputs.b5;
+                outputs_.q3 = inputs_.b5;
             }
             _ => {
-                outputs = const {
+                outputs_ = const {
                     Line24VOutputs {
                         q1: false,
                         q2: false,
@@ -340,24 +340,24 @@ impl Line24V {
                 };
             }
         }
-        outputs
+        outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
     /// first one.
     pub fn init(&mut self) {
         *self = Self::new();
     }
-    /// Whether `step` is active.
+    /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step: Line24VStep) -> ::grafcet::__private::bool {
-        self.situation() == step
+    pub fn is_active(&self, step_: Line24VStep) -> ::grafcet::__private::bool {
+        self.situation() == step_
     }
     /// The active steps, in the order of their declaration; the capacity is the most that can be active.
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<Line24VStep, 1> {
-        let mut steps = ::grafcet::__private::heapless::Vec::new();
-        let _ = steps.push(self.situation());
-        steps
+        let mut steps_ = ::grafcet::__private::heapless::Vec::new();
+        let _ = ::grafcet::__private::heapless::Vec::push(&mut steps_, self.situation());
+        steps_
     }
     /// The situation: which steps are active.
     #[must_use]
@@ -372,8 +372,8 @@ impl Line24V {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps: &[Line24VStep]) -> ::grafcet::__private::bool {
-        ::grafcet::__private::Chart::is_exactly(self, steps)
+    pub fn is_exactly(&self, steps_: &[Line24VStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
     /// and keeps the situation it had reached (decision A30).
@@ -404,17 +404,17 @@ impl ::grafcet::__private::Chart for Line24V {
     ];
     fn scan(
         &mut self,
-        inputs: &Line24VInputs,
-        _now: ::grafcet::__private::Ticks,
-        _actions: &mut Self::Actions<'_>,
+        inputs_: &Line24VInputs,
+        _: ::grafcet::__private::Ticks,
+        _: &mut Self::Actions<'_>,
     ) -> Line24VOutputs {
-        self.cycle(inputs)
+        self.cycle(inputs_)
     }
     fn init(&mut self) {
         self.init();
     }
-    fn is_active(&self, step: Line24VStep) -> ::grafcet::__private::bool {
-        self.is_active(step)
+    fn is_active(&self, step_: Line24VStep) -> ::grafcet::__private::bool {
+        self.is_active(step_)
     }
     fn situation(&self) -> Line24VStep {
         self.situation()
@@ -483,10 +483,10 @@ impl Line24V {
 impl ::grafcet::__private::ActiveSteps for Line24VStep {
     fn is_active_at(
         &self,
-        step: ::grafcet::__private::usize,
+        step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Line24V as ::grafcet::__private::Chart>::STEPS.get(step) {
-            ::grafcet::__private::Option::Some(active) => active == self,
+        match <Line24V as ::grafcet::__private::Chart>::STEPS.get(step_) {
+            ::grafcet::__private::Option::Some(active_) => active_ == self,
             ::grafcet::__private::Option::None => false,
         }
     }
@@ -494,7 +494,7 @@ impl ::grafcet::__private::ActiveSteps for Line24VStep {
 #[allow(unexpected_cfgs)]
 const _: () = {
     #[cfg(rust_analyzer)]
-    fn mentions(inputs: &Line24VInputs, outputs: &Line24VOutputs) {
+    fn mentions(inputs_: &Line24VInputs, outputs_: &Line24VOutputs) {
         let _ = [
             Line24VStep::S1,
             Line24VStep::S2,
@@ -502,7 +502,7 @@ const _: () = {
             Line24VStep::S4,
             Line24VStep::S1,
         ];
-        let _ = (&inputs.b5, &inputs.b1, &inputs.b2, &inputs.b3, &inputs.b4);
-        let _ = (&outputs.q1, &outputs.q2, &outputs.q3, &outputs.q2);
+        let _ = (&inputs_.b5, &inputs_.b1, &inputs_.b2, &inputs_.b3, &inputs_.b4);
+        let _ = (&outputs_.q1, &outputs_.q2, &outputs_.q3, &outputs_.q2);
     }
 };

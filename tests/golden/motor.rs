@@ -1,5 +1,37 @@
 // Recorded by `cargo xtask bless`.
 
+/// A motor that can be switched on and off, guarded against over-temperature.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 232 280\" style=\"width:232px;max-width:max(100%,139px);height:auto\" role=\"img\" aria-label=\"Chart Motor\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H60M84 56H100M84 152H100M12 264H60M12 8V264M60 8V40M60 72V136M60 168V264M132 40V72M132 136V200M60 96v16M60 224v16\"/><rect x=\"36\" y=\"40\" width=\"48\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"42\" height=\"26\"/><rect x=\"100\" y=\"40\" width=\"80\" height=\"32\"/><rect x=\"36\" y=\"136\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"136\" width=\"96\" height=\"32\"/><rect x=\"100\" y=\"168\" width=\"96\" height=\"32\"/><path d=\"M46 104h28M46 232h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 131l4 9h-8z\"/><text x=\"48\" y=\"56\" textLength=\"24\">Off</text><text x=\"112\" y=\"56\" textLength=\"8\">N</text><text x=\"144\" y=\"56\" textLength=\"24\">red</text><text x=\"88\" y=\"104\" textLength=\"128\">on &amp;&amp; !over_temp</text><text x=\"52\" y=\"152\" textLength=\"16\">On</text><text x=\"112\" y=\"152\" textLength=\"8\">N</text><text x=\"144\" y=\"152\" textLength=\"40\">relay</text><text x=\"112\" y=\"184\" textLength=\"8\">N</text><text x=\"144\" y=\"184\" textLength=\"40\">green</text><text x=\"88\" y=\"232\" textLength=\"128\">off || over_temp</text></g></svg></div>\n"
+)]
+/**
+
+The situation takes one byte: which of its 2 steps is active.*/
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct Motor {
+    situation: __MotorState,
+}
+impl Motor {
+    ///A chart `Motor` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            situation: __MotorState::INIT,
+        }
+    }
+}
+impl ::grafcet::__private::core::default::Default for Motor {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 ///The process inputs of [`Motor`], sampled once per cycle.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -72,17 +104,17 @@ impl MotorStep {
 impl ::grafcet::__private::core::fmt::Debug for MotorStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for MotorStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 ///The names of the transitions of [`Motor`].
@@ -115,17 +147,17 @@ impl MotorTransition {
 impl ::grafcet::__private::core::fmt::Debug for MotorTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for MotorTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 #[derive(
@@ -144,9 +176,9 @@ enum __MotorState {
 impl ::grafcet::__private::core::fmt::Debug for __MotorState {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str(
+        f_.write_str(
             ::grafcet::__private::name_at(
                 &["Off", "On", "INIT"],
                 *self as ::grafcet::__private::usize,
@@ -154,73 +186,41 @@ impl ::grafcet::__private::core::fmt::Debug for __MotorState {
         )
     }
 }
-/// A motor that can be switched on and off, guarded against over-temperature.
-#[cfg_attr(
-    doc,
-    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 232 280\" style=\"width:232px;max-width:max(100%,139px);height:auto\" role=\"img\" aria-label=\"Chart Motor\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H60M84 56H100M84 152H100M12 264H60M12 8V264M60 8V40M60 72V136M60 168V264M132 40V72M132 136V200M60 96v16M60 224v16\"/><rect x=\"36\" y=\"40\" width=\"48\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"42\" height=\"26\"/><rect x=\"100\" y=\"40\" width=\"80\" height=\"32\"/><rect x=\"36\" y=\"136\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"136\" width=\"96\" height=\"32\"/><rect x=\"100\" y=\"168\" width=\"96\" height=\"32\"/><path d=\"M46 104h28M46 232h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 131l4 9h-8z\"/><text x=\"48\" y=\"56\" textLength=\"24\">Off</text><text x=\"112\" y=\"56\" textLength=\"8\">N</text><text x=\"144\" y=\"56\" textLength=\"24\">red</text><text x=\"88\" y=\"104\" textLength=\"128\">on &amp;&amp; !over_temp</text><text x=\"52\" y=\"152\" textLength=\"16\">On</text><text x=\"112\" y=\"152\" textLength=\"8\">N</text><text x=\"144\" y=\"152\" textLength=\"40\">relay</text><text x=\"112\" y=\"184\" textLength=\"8\">N</text><text x=\"144\" y=\"184\" textLength=\"40\">green</text><text x=\"88\" y=\"232\" textLength=\"128\">off || over_temp</text></g></svg></div>\n"
-)]
-/**
-
-The situation takes one byte: which of its 2 steps is active.*/
-#[derive(
-    ::grafcet::__private::core::clone::Clone,
-    ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
-)]
-pub struct Motor {
-    situation: __MotorState,
-}
 impl Motor {
-    ///A chart `Motor` in its initial situation; its activation belongs to the first cycle.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self {
-            situation: __MotorState::INIT,
-        }
-    }
-}
-impl ::grafcet::__private::core::default::Default for Motor {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-impl Motor {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    pub fn cycle(&mut self, inputs: &MotorInputs) -> MotorOutputs {
-        let mut outputs = const {
+    pub fn cycle(&mut self, inputs_: &MotorInputs) -> MotorOutputs {
+        let mut outputs_ = const {
             MotorOutputs {
                 relay: false,
                 green: false,
                 red: false,
             }
         };
-        let after: __MotorState;
+        let after_: __MotorState;
         match self.situation {
             __MotorState::INIT => {
-                after = __MotorState::Off;
+                after_ = __MotorState::Off;
             }
             __MotorState::Off => {
-                if inputs.on & !inputs.over_temp {
-                    after = __MotorState::On;
+                if inputs_.on & !inputs_.over_temp {
+                    after_ = __MotorState::On;
                 } else {
-                    after = __MotorState::Off;
+                    after_ = __MotorState::Off;
                 }
             }
             __MotorState::On => {
-                if inputs.off | inputs.over_temp {
-                    after = __MotorState::Off;
+                if inputs_.off | inputs_.over_temp {
+                    after_ = __MotorState::Off;
                 } else {
-                    after = __MotorState::On;
+                    after_ = __MotorState::On;
                 }
             }
         }
-        self.situation = after;
-        match after {
+        self.situation = after_;
+        match after_ {
             __MotorState::Off => {
-                outputs = const {
+                outputs_ = const {
                     MotorOutputs {
                         relay: false,
                         green: false,
@@ -229,7 +229,7 @@ impl Motor {
                 };
             }
             __MotorState::On => {
-                outputs = const {
+                outputs_ = const {
                     MotorOutputs {
                         relay: true,
                         green: true,
@@ -238,7 +238,7 @@ impl Motor {
                 };
             }
             _ => {
-                outputs = const {
+                outputs_ = const {
                     MotorOutputs {
                         relay: false,
                         green: false,
@@ -247,24 +247,24 @@ impl Motor {
                 };
             }
         }
-        outputs
+        outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
     /// first one.
     pub fn init(&mut self) {
         *self = Self::new();
     }
-    /// Whether `step` is active.
+    /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step: MotorStep) -> ::grafcet::__private::bool {
-        self.situation() == step
+    pub fn is_active(&self, step_: MotorStep) -> ::grafcet::__private::bool {
+        self.situation() == step_
     }
     /// The active steps, in the order of their declaration; the capacity is the most that can be active.
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<MotorStep, 1> {
-        let mut steps = ::grafcet::__private::heapless::Vec::new();
-        let _ = steps.push(self.situation());
-        steps
+        let mut steps_ = ::grafcet::__private::heapless::Vec::new();
+        let _ = ::grafcet::__private::heapless::Vec::push(&mut steps_, self.situation());
+        steps_
     }
     /// The situation: which steps are active.
     #[must_use]
@@ -277,8 +277,8 @@ impl Motor {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps: &[MotorStep]) -> ::grafcet::__private::bool {
-        ::grafcet::__private::Chart::is_exactly(self, steps)
+    pub fn is_exactly(&self, steps_: &[MotorStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
 }
 impl ::grafcet::__private::Chart for Motor {
@@ -296,17 +296,17 @@ impl ::grafcet::__private::Chart for Motor {
     ];
     fn scan(
         &mut self,
-        inputs: &MotorInputs,
-        _now: ::grafcet::__private::Ticks,
-        _actions: &mut Self::Actions<'_>,
+        inputs_: &MotorInputs,
+        _: ::grafcet::__private::Ticks,
+        _: &mut Self::Actions<'_>,
     ) -> MotorOutputs {
-        self.cycle(inputs)
+        self.cycle(inputs_)
     }
     fn init(&mut self) {
         self.init();
     }
-    fn is_active(&self, step: MotorStep) -> ::grafcet::__private::bool {
-        self.is_active(step)
+    fn is_active(&self, step_: MotorStep) -> ::grafcet::__private::bool {
+        self.is_active(step_)
     }
     fn situation(&self) -> MotorStep {
         self.situation()
@@ -364,10 +364,10 @@ impl Motor {
 impl ::grafcet::__private::ActiveSteps for MotorStep {
     fn is_active_at(
         &self,
-        step: ::grafcet::__private::usize,
+        step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Motor as ::grafcet::__private::Chart>::STEPS.get(step) {
-            ::grafcet::__private::Option::Some(active) => active == self,
+        match <Motor as ::grafcet::__private::Chart>::STEPS.get(step_) {
+            ::grafcet::__private::Option::Some(active_) => active_ == self,
             ::grafcet::__private::Option::None => false,
         }
     }
@@ -375,9 +375,9 @@ impl ::grafcet::__private::ActiveSteps for MotorStep {
 #[allow(unexpected_cfgs)]
 const _: () = {
     #[cfg(rust_analyzer)]
-    fn mentions(inputs: &MotorInputs, outputs: &MotorOutputs) {
+    fn mentions(inputs_: &MotorInputs, outputs_: &MotorOutputs) {
         let _ = [MotorStep::Off, MotorStep::On, MotorStep::Off];
-        let _ = (&inputs.on, &inputs.over_temp, &inputs.off, &inputs.over_temp);
-        let _ = (&outputs.red, &outputs.relay, &outputs.green);
+        let _ = (&inputs_.on, &inputs_.over_temp, &inputs_.off, &inputs_.over_temp);
+        let _ = (&outputs_.red, &outputs_.relay, &outputs_.green);
     }
 };

@@ -1,5 +1,43 @@
 // Recorded by `cargo xtask bless`.
 
+/// Two stations beside each other, and a bit for each step.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 440 536\" style=\"width:440px;max-width:max(100%,264px);height:auto\" role=\"img\" aria-label=\"Chart Stations\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H76M108 184H124M348 184H364M100 440H116M12 520H76M68 134H324M68 138H324M68 358H324M68 362H324M12 8V520M76 8V40M76 72V134M76 138V168M76 200V296M76 328V358M76 362V424M76 456V520M148 424V456M156 168V200M316 138V168M316 200V296M316 328V358M76 96v16M76 256v16M316 256v16M76 384v16M76 480v16\"/><rect x=\"44\" y=\"40\" width=\"64\" height=\"32\"/><rect x=\"47\" y=\"43\" width=\"58\" height=\"26\"/><rect x=\"44\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"124\" y=\"168\" width=\"136\" height=\"32\"/><rect x=\"124\" y=\"200\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"364\" y=\"168\" width=\"56\" height=\"32\"/><rect x=\"36\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"276\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"52\" y=\"424\" width=\"48\" height=\"32\"/><rect x=\"116\" y=\"424\" width=\"136\" height=\"32\"/><path d=\"M62 104h28M62 264h28M302 264h28M62 392h28M62 488h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 259l4 9h-8z\"/><text x=\"60\" y=\"56\" textLength=\"32\">Wait</text><text x=\"104\" y=\"104\" textLength=\"32\">part</text><text x=\"56\" y=\"184\" textLength=\"40\">Drill</text><text x=\"136\" y=\"184\" textLength=\"8\">↑</text><text x=\"168\" y=\"184\" textLength=\"80\">motor := 1</text><text x=\"136\" y=\"216\" textLength=\"40\">drill</text><text x=\"300\" y=\"184\" textLength=\"32\">Test</text><text x=\"376\" y=\"184\" textLength=\"32\">test</text><text x=\"104\" y=\"264\" textLength=\"56\">drilled</text><text x=\"344\" y=\"264\" textLength=\"48\">tested</text><text x=\"48\" y=\"312\" textLength=\"56\">Drilled</text><text x=\"292\" y=\"312\" textLength=\"48\">Tested</text><text x=\"104\" y=\"392\" textLength=\"40\">!part</text><text x=\"64\" y=\"440\" textLength=\"24\">Out</text><text x=\"128\" y=\"440\" textLength=\"8\">↑</text><text x=\"160\" y=\"440\" textLength=\"80\">motor := 0</text><text x=\"104\" y=\"488\" textLength=\"48\">2s/Out</text></g></svg></div>\n"
+)]
+/**
+
+The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps and one for the first cycle, as long as it is still to come.*/
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct Stations {
+    situation: [::grafcet::__private::u8; 1usize],
+    out_motor: ::grafcet::__private::core::primitive::bool,
+    now: ::grafcet::__private::Ticks,
+    since_5: ::grafcet::__private::Ticks,
+}
+impl Stations {
+    ///A chart `Stations` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            situation: [64u8],
+            out_motor: false,
+            now: ::grafcet::__private::Ticks::ZERO,
+            since_5: ::grafcet::__private::Ticks::ZERO,
+        }
+    }
+}
+impl ::grafcet::__private::core::default::Default for Stations {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 ///The process inputs of [`Stations`], sampled once per cycle.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -80,17 +118,17 @@ impl StationsStep {
 impl ::grafcet::__private::core::fmt::Debug for StationsStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for StationsStep {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
+        f_.pad((*self).name())
     }
 }
 ///The names of the transitions of [`Stations`].
@@ -135,55 +173,17 @@ impl StationsTransition {
 impl ::grafcet::__private::core::fmt::Debug for StationsTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.write_str((*self).name())
+        f_.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for StationsTransition {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        f.pad((*self).name())
-    }
-}
-/// Two stations beside each other, and a bit for each step.
-#[cfg_attr(
-    doc,
-    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4.5 -4.5 440 536\" style=\"width:440px;max-width:max(100%,264px);height:auto\" role=\"img\" aria-label=\"Chart Stations\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H76M108 184H124M348 184H364M100 440H116M12 520H76M68 134H324M68 138H324M68 358H324M68 362H324M12 8V520M76 8V40M76 72V134M76 138V168M76 200V296M76 328V358M76 362V424M76 456V520M148 424V456M156 168V200M316 138V168M316 200V296M316 328V358M76 96v16M76 256v16M316 256v16M76 384v16M76 480v16\"/><rect x=\"44\" y=\"40\" width=\"64\" height=\"32\"/><rect x=\"47\" y=\"43\" width=\"58\" height=\"26\"/><rect x=\"44\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"124\" y=\"168\" width=\"136\" height=\"32\"/><rect x=\"124\" y=\"200\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"364\" y=\"168\" width=\"56\" height=\"32\"/><rect x=\"36\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"276\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"52\" y=\"424\" width=\"48\" height=\"32\"/><rect x=\"116\" y=\"424\" width=\"136\" height=\"32\"/><path d=\"M62 104h28M62 264h28M302 264h28M62 392h28M62 488h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 259l4 9h-8z\"/><text x=\"60\" y=\"56\" textLength=\"32\">Wait</text><text x=\"104\" y=\"104\" textLength=\"32\">part</text><text x=\"56\" y=\"184\" textLength=\"40\">Drill</text><text x=\"136\" y=\"184\" textLength=\"8\">↑</text><text x=\"168\" y=\"184\" textLength=\"80\">motor := 1</text><text x=\"136\" y=\"216\" textLength=\"40\">drill</text><text x=\"300\" y=\"184\" textLength=\"32\">Test</text><text x=\"376\" y=\"184\" textLength=\"32\">test</text><text x=\"104\" y=\"264\" textLength=\"56\">drilled</text><text x=\"344\" y=\"264\" textLength=\"48\">tested</text><text x=\"48\" y=\"312\" textLength=\"56\">Drilled</text><text x=\"292\" y=\"312\" textLength=\"48\">Tested</text><text x=\"104\" y=\"392\" textLength=\"40\">!part</text><text x=\"64\" y=\"440\" textLength=\"24\">Out</text><text x=\"128\" y=\"440\" textLength=\"8\">↑</text><text x=\"160\" y=\"440\" textLength=\"80\">motor := 0</text><text x=\"104\" y=\"488\" textLength=\"48\">2s/Out</text></g></svg></div>\n"
-)]
-/**
-
-The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps and one for the first cycle, as long as it is still to come.*/
-#[derive(
-    ::grafcet::__private::core::clone::Clone,
-    ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
-)]
-pub struct Stations {
-    situation: [::grafcet::__private::u8; 1usize],
-    out_motor: ::grafcet::__private::core::primitive::bool,
-    now: ::grafcet::__private::Ticks,
-    since_5: ::grafcet::__private::Ticks,
-}
-impl Stations {
-    ///A chart `Stations` in its initial situation; its activation belongs to the first cycle.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self {
-            situation: [64u8],
-            out_motor: false,
-            now: ::grafcet::__private::Ticks::ZERO,
-            since_5: ::grafcet::__private::Ticks::ZERO,
-        }
-    }
-}
-impl ::grafcet::__private::core::default::Default for Stations {
-    fn default() -> Self {
-        Self::new()
+        f_.pad((*self).name())
     }
 }
 ///A situation of [`Stations`]: which steps are active.
@@ -197,10 +197,10 @@ pub struct StationsSituation {
     steps: [::grafcet::__private::u8; 1usize],
 }
 impl StationsSituation {
-    /// Whether `step` is active in this situation.
+    /// Whether the step is active in this situation.
     #[must_use]
-    pub fn is_active(&self, step: StationsStep) -> ::grafcet::__private::bool {
-        match step {
+    pub fn is_active(&self, step_: StationsStep) -> ::grafcet::__private::bool {
+        match step_ {
             StationsStep::Wait => self.steps[0usize] & 1u8 != 0,
             StationsStep::Drill => self.steps[0usize] & 2u8 != 0,
             StationsStep::Drilled => self.steps[0usize] & 4u8 != 0,
@@ -213,143 +213,146 @@ impl StationsSituation {
 impl ::grafcet::__private::core::fmt::Debug for StationsSituation {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        let mut set = f.debug_set();
-        for step in <Stations as ::grafcet::__private::Chart>::STEPS {
-            if self.is_active(*step) {
-                let _ = set.entry(step);
+        let mut set_ = f_.debug_set();
+        for step_ in <Stations as ::grafcet::__private::Chart>::STEPS {
+            if self.is_active(*step_) {
+                let _ = ::grafcet::__private::core::fmt::DebugSet::entry(
+                    &mut set_,
+                    step_,
+                );
             }
         }
-        set.finish()
+        ::grafcet::__private::core::fmt::DebugSet::finish(&mut set_)
     }
 }
 /// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
 impl ::grafcet::__private::core::fmt::Display for StationsSituation {
     fn fmt(
         &self,
-        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        let names = ::grafcet::__private::core::iter::Iterator::map(
+        let names_ = ::grafcet::__private::core::iter::Iterator::map(
             <Stations as ::grafcet::__private::Chart>::STEPS.iter(),
-            |step| (*step).name(),
+            |step_| (*step_).name(),
         );
-        ::grafcet::__private::situation::write(self, names, f)
+        ::grafcet::__private::situation::write(self, names_, f_)
     }
 }
 impl Stations {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     pub fn cycle(
         &mut self,
-        inputs: &StationsInputs,
-        now: impl ::grafcet::__private::core::convert::Into<::grafcet::__private::Ticks>,
+        inputs_: &StationsInputs,
+        now_: impl ::grafcet::__private::core::convert::Into<::grafcet::__private::Ticks>,
     ) -> StationsOutputs {
-        let now: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
-            now,
+        let now_: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
+            now_,
         );
-        let mut outputs = StationsOutputs {
+        let mut outputs_ = StationsOutputs {
             drill: false,
             test: false,
             motor: false,
         };
-        let elapsed = now.since(self.now);
-        self.now = now;
-        self.since_5 = self.since_5 + elapsed;
+        let elapsed_ = now_.since(self.now);
+        self.now = now_;
+        self.since_5 = self.since_5 + elapsed_;
         if self.situation[0usize] & 64u8 != 0 {
             self.situation = [1u8];
         }
         loop {
-            let inputs = ::grafcet::__private::core::hint::black_box(inputs);
-            let before = self.situation;
-            let mut after = before;
-            let mut moved = false;
-            if before[0usize] & 47u8 != 0 {
-                if before[0usize] & 1u8 != 0 {
-                    if inputs.part {
-                        after[0usize] &= !1u8;
-                        after[0usize] |= 2u8;
-                        after[0usize] |= 8u8;
-                        moved = true;
+            let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
+            let before_ = self.situation;
+            let mut after_ = before_;
+            let mut moved_ = false;
+            if before_[0usize] & 47u8 != 0 {
+                if before_[0usize] & 1u8 != 0 {
+                    if inputs_.part {
+                        after_[0usize] &= !1u8;
+                        after_[0usize] |= 2u8;
+                        after_[0usize] |= 8u8;
+                        moved_ = true;
                     }
                 }
-                if before[0usize] & 2u8 != 0 {
-                    if inputs.drilled {
-                        after[0usize] &= !2u8;
-                        after[0usize] |= 4u8;
-                        moved = true;
+                if before_[0usize] & 2u8 != 0 {
+                    if inputs_.drilled {
+                        after_[0usize] &= !2u8;
+                        after_[0usize] |= 4u8;
+                        moved_ = true;
                     }
                 }
-                if before[0usize] & 4u8 != 0 {
-                    if (before[0usize] & 16u8 != 0) && !inputs.part {
-                        after[0usize] &= !4u8;
-                        after[0usize] &= !16u8;
-                        after[0usize] |= 32u8;
-                        moved = true;
+                if before_[0usize] & 4u8 != 0 {
+                    if (before_[0usize] & 16u8 != 0) && !inputs_.part {
+                        after_[0usize] &= !4u8;
+                        after_[0usize] &= !16u8;
+                        after_[0usize] |= 32u8;
+                        moved_ = true;
                     }
                 }
-                if before[0usize] & 8u8 != 0 {
-                    if inputs.tested {
-                        after[0usize] &= !8u8;
-                        after[0usize] |= 16u8;
-                        moved = true;
+                if before_[0usize] & 8u8 != 0 {
+                    if inputs_.tested {
+                        after_[0usize] &= !8u8;
+                        after_[0usize] |= 16u8;
+                        moved_ = true;
                     }
                 }
-                if before[0usize] & 32u8 != 0 {
-                    if (before[0usize] & 32u8 != 0)
-                        && (if before[0usize] & 32u8 != 0 {
+                if before_[0usize] & 32u8 != 0 {
+                    if (before_[0usize] & 32u8 != 0)
+                        && (if before_[0usize] & 32u8 != 0 {
                             self.since_5
                         } else {
                             ::grafcet::__private::Ticks::ZERO
                         }) >= ::grafcet::__private::Ticks::new(2000u32)
                     {
-                        after[0usize] &= !32u8;
-                        after[0usize] |= 1u8;
-                        moved = true;
+                        after_[0usize] &= !32u8;
+                        after_[0usize] |= 1u8;
+                        moved_ = true;
                     }
                 }
             }
-            if !moved {
+            if !moved_ {
                 break;
             }
-            if after[0usize] & 34u8 != 0 {
-                if after[0usize] & 2u8 != 0 {
-                    if before[0usize] & 2u8 == 0 {
+            if after_[0usize] & 34u8 != 0 {
+                if after_[0usize] & 2u8 != 0 {
+                    if before_[0usize] & 2u8 == 0 {
                         self.out_motor = true;
                     }
                 }
-                if after[0usize] & 32u8 != 0 {
-                    if before[0usize] & 32u8 == 0 {
+                if after_[0usize] & 32u8 != 0 {
+                    if before_[0usize] & 32u8 == 0 {
                         self.out_motor = false;
                     }
                 }
             }
-            self.situation = after;
-            if (after[0usize] ^ before[0usize]) & 32u8 != 0 {
+            self.situation = after_;
+            if (after_[0usize] ^ before_[0usize]) & 32u8 != 0 {
                 self.since_5 = ::grafcet::__private::Ticks::ZERO;
             }
         }
-        let after = self.situation;
-        if after[0usize] & 10u8 != 0 {
-            if after[0usize] & 2u8 != 0 {
-                outputs.drill = true;
+        let after_ = self.situation;
+        if after_[0usize] & 10u8 != 0 {
+            if after_[0usize] & 2u8 != 0 {
+                outputs_.drill = true;
             }
-            if after[0usize] & 8u8 != 0 {
-                outputs.test = true;
+            if after_[0usize] & 8u8 != 0 {
+                outputs_.test = true;
             }
         }
-        outputs.motor = self.out_motor;
-        outputs
+        outputs_.motor = self.out_motor;
+        outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
     /// first one.
     pub fn init(&mut self) {
         *self = Self::new();
     }
-    /// Whether `step` is active.
+    /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step: StationsStep) -> ::grafcet::__private::bool {
-        match step {
+    pub fn is_active(&self, step_: StationsStep) -> ::grafcet::__private::bool {
+        match step_ {
             StationsStep::Wait => {
                 self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0
             }
@@ -363,41 +366,59 @@ impl Stations {
     /// The active steps, in the order of their declaration; the capacity is the most that can be active.
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<StationsStep, 2> {
-        let mut steps = ::grafcet::__private::heapless::Vec::new();
+        let mut steps_ = ::grafcet::__private::heapless::Vec::new();
         if self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0 {
-            let _ = steps.push(StationsStep::Wait);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Wait,
+            );
         }
         if self.situation[0usize] & 2u8 != 0 {
-            let _ = steps.push(StationsStep::Drill);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Drill,
+            );
         }
         if self.situation[0usize] & 4u8 != 0 {
-            let _ = steps.push(StationsStep::Drilled);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Drilled,
+            );
         }
         if self.situation[0usize] & 8u8 != 0 {
-            let _ = steps.push(StationsStep::Test);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Test,
+            );
         }
         if self.situation[0usize] & 16u8 != 0 {
-            let _ = steps.push(StationsStep::Tested);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Tested,
+            );
         }
         if self.situation[0usize] & 32u8 != 0 {
-            let _ = steps.push(StationsStep::Out);
+            let _ = ::grafcet::__private::heapless::Vec::push(
+                &mut steps_,
+                StationsStep::Out,
+            );
         }
-        steps
+        steps_
     }
     /// The situation: which steps are active.
     #[must_use]
     pub const fn situation(&self) -> StationsSituation {
-        let mut steps = self.situation;
+        let mut steps_ = self.situation;
         if self.situation[0usize] & 64u8 != 0 {
-            steps = [1u8];
+            steps_ = [1u8];
         }
-        StationsSituation { steps }
+        StationsSituation { steps: steps_ }
     }
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps: &[StationsStep]) -> ::grafcet::__private::bool {
-        ::grafcet::__private::Chart::is_exactly(self, steps)
+    pub fn is_exactly(&self, steps_: &[StationsStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
     /// and keeps the situation it had reached (decision A30).
@@ -415,19 +436,19 @@ impl Stations {
         if self.situation[0usize] & 64u8 != 0 {
             return ::grafcet::__private::Option::Some(self.now);
         }
-        let mut soonest = ::grafcet::__private::Option::None;
+        let mut soonest_ = ::grafcet::__private::Option::None;
         if self.situation[0usize] & 32u8 != 0 {
-            soonest = ::grafcet::__private::sooner(
-                soonest,
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
                 ::grafcet::__private::until(
                     self.since_5,
                     ::grafcet::__private::Ticks::new(2000u32),
                 ),
             );
         }
-        match soonest {
-            ::grafcet::__private::Option::Some(time) => {
-                ::grafcet::__private::Option::Some(self.now.after(time))
+        match soonest_ {
+            ::grafcet::__private::Option::Some(time_) => {
+                ::grafcet::__private::Option::Some(self.now.after(time_))
             }
             ::grafcet::__private::Option::None => ::grafcet::__private::Option::None,
         }
@@ -435,9 +456,9 @@ impl Stations {
     /// A duration in the chart's clock unit, rounded up.
     #[must_use]
     pub const fn ticks(
-        duration: ::grafcet::__private::core::time::Duration,
+        duration_: ::grafcet::__private::core::time::Duration,
     ) -> ::grafcet::__private::Ticks {
-        ::grafcet::__private::Ticks::from_duration(duration, 1000000)
+        ::grafcet::__private::Ticks::from_duration(duration_, 1000000)
     }
 }
 impl ::grafcet::__private::Chart for Stations {
@@ -465,17 +486,17 @@ impl ::grafcet::__private::Chart for Stations {
     ];
     fn scan(
         &mut self,
-        inputs: &StationsInputs,
-        now: ::grafcet::__private::Ticks,
-        _actions: &mut Self::Actions<'_>,
+        inputs_: &StationsInputs,
+        now_: ::grafcet::__private::Ticks,
+        _: &mut Self::Actions<'_>,
     ) -> StationsOutputs {
-        self.cycle(inputs, now)
+        self.cycle(inputs_, now_)
     }
     fn init(&mut self) {
         self.init();
     }
-    fn is_active(&self, step: StationsStep) -> ::grafcet::__private::bool {
-        self.is_active(step)
+    fn is_active(&self, step_: StationsStep) -> ::grafcet::__private::bool {
+        self.is_active(step_)
     }
     fn situation(&self) -> StationsSituation {
         self.situation()
@@ -556,10 +577,10 @@ impl Stations {
 impl ::grafcet::__private::ActiveSteps for StationsSituation {
     fn is_active_at(
         &self,
-        step: ::grafcet::__private::usize,
+        step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Stations as ::grafcet::__private::Chart>::STEPS.get(step) {
-            ::grafcet::__private::Option::Some(active) => self.is_active(*active),
+        match <Stations as ::grafcet::__private::Chart>::STEPS.get(step_) {
+            ::grafcet::__private::Option::Some(active_) => self.is_active(*active_),
             ::grafcet::__private::Option::None => false,
         }
     }
@@ -567,7 +588,7 @@ impl ::grafcet::__private::ActiveSteps for StationsSituation {
 #[allow(unexpected_cfgs)]
 const _: () = {
     #[cfg(rust_analyzer)]
-    fn mentions(inputs: &StationsInputs, outputs: &StationsOutputs) {
+    fn mentions(inputs_: &StationsInputs, outputs_: &StationsOutputs) {
         let _ = [
             StationsStep::Wait,
             StationsStep::Drill,
@@ -582,7 +603,7 @@ const _: () = {
             StationsStep::Wait,
             StationsStep::Out,
         ];
-        let _ = (&inputs.part, &inputs.drilled, &inputs.tested, &inputs.part);
-        let _ = (&outputs.motor, &outputs.drill, &outputs.test, &outputs.motor);
+        let _ = (&inputs_.part, &inputs_.drilled, &inputs_.tested, &inputs_.part);
+        let _ = (&outputs_.motor, &outputs_.drill, &outputs_.test, &outputs_.motor);
     }
 };

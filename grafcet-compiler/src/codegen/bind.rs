@@ -54,7 +54,7 @@ impl Cx<'_> {
         // A single input needs no binding: the user's own token names the field.
         if let ([Read::Name(Name::Input(_))], Some(name)) = (&expr.reads[..], plain_name(tokens)) {
             // Located there, so that a type error stands there.
-            return quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name);
+            return quote_spanned!(Span::call_site().located_at(name.span())=> inputs_.#name);
         }
         let is_condition = matches!(moment, Moment::Condition | Moment::Enabled(_));
         if let (Tree::Elapsed(time, step), Moment::Enabled(_)) = (&expr.tree, moment) {
@@ -64,7 +64,7 @@ impl Cx<'_> {
             // In a search, an input that a lazy operator does not come to is better not read; elsewhere a jump costs more.
             let tokens = if self.model.is_grafcet() { tokens.clone() } else { eager(tokens) };
             let read = self.with_inputs(tokens.to_token_stream());
-            return if is_term(&tokens) { read } else { quote!({ let value = #read; value }) };
+            return if is_term(&tokens) { read } else { quote!({ let value_ = #read; value_ }) };
         }
         let bindings = self.bindings(&expr.reads, &[], expr.tree.is_opaque(), moment);
         behind(&bindings, tokens)
@@ -85,7 +85,7 @@ impl Cx<'_> {
         let one = |token: TokenTree| match token {
             TokenTree::Ident(name) if self.model.inputs.values().any(|input| input.name == name) => {
                 // Located there, so that a type error stands there.
-                quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name)
+                quote_spanned!(Span::call_site().located_at(name.span())=> inputs_.#name)
             }
             TokenTree::Group(group) => {
                 let mut inner = Group::new(group.delimiter(), self.with_inputs(group.stream()));
@@ -155,7 +155,7 @@ impl Cx<'_> {
         match read {
             Read::Name(Name::Input(id)) => {
                 let name = &self.model.inputs[id].name;
-                quote!(inputs.#name)
+                quote!(inputs_.#name)
             }
             Read::Name(Name::Param(id)) => {
                 let name = &self.model.params[id].name;
@@ -206,7 +206,7 @@ impl Cx<'_> {
             Read::Falling(id) => self.edge(id, false, moment).into_token_stream(),
             Read::Delay(id) => {
                 let field = names::delay_field(id);
-                quote!(self.#field.output())
+                quote!(#p::Delay::output(&self.#field))
             }
             Read::Ticks(ticks) => quote!(#p::Ticks::new(#ticks)),
             Read::Blink(blink) => self.blink(blink, moment),

@@ -9,7 +9,7 @@ use super::state::{StateEnum, step_name};
 use super::{Cx, deadline, derives, late, names, recipe, requirements, types, unreached};
 use crate::list::List;
 use crate::model::{Id, Name, Read, StepId};
-use crate::place::quote;
+use crate::place::{self, quote};
 
 /// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_exactly`, `is_stable`, `next_deadline`.
 pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
@@ -32,9 +32,9 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
             #cycle
             #init
 
-            /// Whether `step` is active.
+            /// Whether the step is active.
             #[must_use]
-            #vis fn is_active(&self, step: #step) -> #p::bool {
+            #vis fn is_active(&self, step_: #step) -> #p::bool {
                 #is_active
             }
 
@@ -53,8 +53,8 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
             /// Whether these steps are active, in any order, and no others: the same question for one active step and
             /// for several.
             #[must_use]
-            #vis fn is_exactly(&self, steps: &[#step]) -> #p::bool {
-                #p::Chart::is_exactly(self, steps)
+            #vis fn is_exactly(&self, steps_: &[#step]) -> #p::bool {
+                #p::Chart::is_exactly(self, steps_)
             }
 
             #stable
@@ -77,7 +77,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
     let reads_nothing = !reads(|read| matches!(read, Read::Name(Name::Input(_))));
     let of_recipe = reads(|read| matches!(read, Read::Name(Name::Param(_)))).then(|| quote!(&self,));
     let copied = requirements::copied(model, p);
-    let unread = reads_nothing.then(|| quote!(let _ = inputs;));
+    let unread = reads_nothing.then(|| quote!(let _ = inputs_;));
     (!excluded.is_empty()).then(|| {
         // What the user wrote is an assumption, and not the Rust of a function: its style is nobody's business.
         quote! {
@@ -85,7 +85,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
             /// was compiled holds as long as this is true in every cycle.
             #[must_use]
             #[allow(clippy::all, clippy::pedantic)]
-            #vis fn assumptions_hold(#of_recipe inputs: &#inputs) -> #p::bool {
+            #vis fn assumptions_hold(#of_recipe inputs_: &#inputs) -> #p::bool {
                 #copied
                 #unread
                 #(let #excluded: #p::bool = #values;)*
@@ -100,20 +100,20 @@ fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (vis, inputs, outputs) = (&model.vis, &names.inputs, &names.outputs);
     let Machine { cycle: body, evolve, .. } = machine;
     let time = cx.plan.memory.time;
-    let now = time.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
-    let ticks = time.then(|| quote!(let now: #p::Ticks = #p::core::convert::Into::into(now);));
+    let now = time.then(|| quote!(, now_: impl #p::core::convert::Into<#p::Ticks>));
+    let ticks = time.then(|| quote!(let now_: #p::Ticks = #p::core::convert::Into::into(now_);));
     let actions = (!model.actions.is_empty()).then(|| {
         let actions = &names.actions;
-        quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized))
+        quote!(, actions_: &mut (impl #actions + ?#p::core::marker::Sized))
     });
     // Where the outputs are returned in memory, inlining would take them apart and write them one by one.
     let outlined = (model.outputs.len() > 8).then(|| quote!(#[inline(never)]));
     let copied = requirements::copied(model, p);
     quote! {
         #outlined
-        /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+        /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
         /// situation.
-        #vis fn cycle(&mut self, inputs: &#inputs #now #actions) -> #outputs {
+        #vis fn cycle(&mut self, inputs_: &#inputs #now #actions) -> #outputs {
             #copied
             #ticks
             #body
@@ -129,9 +129,9 @@ fn init(cx: &Cx<'_>) -> TokenStream {
         true => quote!(*self = Self::new();),
         // It is in its range.
         false if recipe::has_ranges(cx.model) => quote! {
-            let params = self.params;
+            let params_ = self.params;
             *self = Self::new();
-            self.params = params;
+            self.params = params_;
         },
         false => quote!(*self = Self::with_params(self.params);),
     };
@@ -154,8 +154,8 @@ fn ticks(cx: &Cx<'_>) -> Option<TokenStream> {
         quote! {
             /// A duration in the chart's clock unit, rounded up.
             #[must_use]
-            #vis const fn ticks(duration: #p::core::time::Duration) -> #p::Ticks {
-                #p::Ticks::from_duration(duration, #unit)
+            #vis const fn ticks(duration_: #p::core::time::Duration) -> #p::Ticks {
+                #p::Ticks::from_duration(duration_, #unit)
             }
         }
     })
@@ -177,9 +177,9 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
     } else {
         quote!(())
     };
-    let (now, now_name) = if cx.plan.memory.time { (Some(quote!(, now)), quote!(now)) } else { (None, quote!(_now)) };
+    let (now, now_name) = if cx.plan.memory.time { (Some(quote!(, now_)), quote!(now_)) } else { (None, quote!(_)) };
     let (pass, actions_name) =
-        if has_actions { (Some(quote!(, actions)), quote!(actions)) } else { (None, quote!(_actions)) };
+        if has_actions { (Some(quote!(, actions_)), quote!(actions_)) } else { (None, quote!(_)) };
     quote! {
         impl #p::Chart for #chart {
             type Inputs = #inputs;
@@ -193,16 +193,16 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
             const STEPS: &'static [#step] = &[#(#steps),*];
             const TRANSITIONS: &'static [#transition] = &[#(#transition::#transitions),*];
 
-            fn scan(&mut self, inputs: &#inputs, #now_name: #p::Ticks, #actions_name: &mut Self::Actions<'_>) -> #outputs {
-                self.cycle(inputs #now #pass)
+            fn scan(&mut self, inputs_: &#inputs, #now_name: #p::Ticks, #actions_name: &mut Self::Actions<'_>) -> #outputs {
+                self.cycle(inputs_ #now #pass)
             }
 
             fn init(&mut self) {
                 self.init();
             }
 
-            fn is_active(&self, step: #step) -> #p::bool {
-                self.is_active(step)
+            fn is_active(&self, step_: #step) -> #p::bool {
+                self.is_active(step_)
             }
 
             fn situation(&self) -> #situation {
@@ -218,12 +218,12 @@ fn active_steps(cx: &Cx<'_>, machine: &Machine<'_>) -> (Literal, TokenStream) {
     let p = &cx.p;
     let steps = names::local("steps");
     let pushes = if cx.plan.one_step {
-        quote!(let _ = #steps.push(self.situation());)
+        quote!(let _ = #p::heapless::Vec::push(&mut #steps, self.situation());)
     } else {
         // The order of declaration runs across the regions.
         let push = |id: StepId| {
             let (active, name) = (&machine.active[id.index()], step_name(cx, id));
-            quote!(if #active { let _ = #steps.push(#name); })
+            quote!(if #active { let _ = #p::heapless::Vec::push(&mut #steps, #name); })
         };
         cx.model.steps.ids().map(push).tokens()
     };
@@ -232,13 +232,13 @@ fn active_steps(cx: &Cx<'_>, machine: &Machine<'_>) -> (Literal, TokenStream) {
 
 fn is_active(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     if cx.plan.one_step {
-        return quote!(self.situation() == step);
+        return quote!(self.situation() == step_);
     }
     let arms = cx.model.steps.ids().map(|id| {
         let (name, active) = (step_name(cx, id), &machine.active[id.index()]);
         quote!(#name => #active,)
     });
-    quote!(match step { #(#arms)* })
+    quote!(match step_ { #(#arms)* })
 }
 
 impl Cx<'_> {
@@ -291,7 +291,7 @@ pub(super) fn situation(cx: &Cx<'_>) -> TokenStream {
         let state = cx.plain_state(region);
         if cx.has_start_variant(region) {
             let (start, initial) = (cx.start(), cx.initial(region));
-            quote!(match #state { #start => #initial, entered => entered })
+            quote!(match #state { #start => #initial, entered_ => entered_ })
         } else {
             state
         }
@@ -319,7 +319,7 @@ pub(super) fn situation(cx: &Cx<'_>) -> TokenStream {
 fn situation_of_flags(cx: &Cx<'_>) -> TokenStream {
     if !cx.plan.one_step {
         let (name, shown) = (&cx.names.situation, cx.shown_flags());
-        return quote!(#shown #name { steps });
+        return quote!(#shown #name { steps: steps_ });
     }
     one_by_one(cx, cx.model.steps.ids().map(|step| holds(cx, step)))
 }
@@ -366,37 +366,38 @@ fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     });
     let derives = derives::of_states().users(model, &["Default"]);
     let doc = format!("A situation of [`{}`]: which steps are active.", model.name);
+    let item = place::item("struct", name, &model.name, &quote!(#fields));
     Some(quote! {
         #[doc = #doc]
         #[derive(#p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq)]
         #derives
-        #vis struct #name { #fields }
+        #vis #item
 
         impl #name {
-            /// Whether `step` is active in this situation.
+            /// Whether the step is active in this situation.
             #[must_use]
-            #vis fn is_active(&self, step: #step) -> #p::bool {
-                match step { #(#arms)* }
+            #vis fn is_active(&self, step_: #step) -> #p::bool {
+                match step_ { #(#arms)* }
             }
         }
 
         impl #p::core::fmt::Debug for #name {
-            fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
-                let mut set = f.debug_set();
-                for step in <#chart as #p::Chart>::STEPS {
-                    if self.is_active(*step) {
-                        let _ = set.entry(step);
+            fn fmt(&self, f_: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
+                let mut set_ = f_.debug_set();
+                for step_ in <#chart as #p::Chart>::STEPS {
+                    if self.is_active(*step_) {
+                        let _ = #p::core::fmt::DebugSet::entry(&mut set_, step_);
                     }
                 }
-                set.finish()
+                #p::core::fmt::DebugSet::finish(&mut set_)
             }
         }
 
         /// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
         impl #p::core::fmt::Display for #name {
-            fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
-                let names = #p::core::iter::Iterator::map(<#chart as #p::Chart>::STEPS.iter(), |step| (*step).name());
-                #p::situation::write(self, names, f)
+            fn fmt(&self, f_: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
+                let names_ = #p::core::iter::Iterator::map(<#chart as #p::Chart>::STEPS.iter(), |step_| (*step_).name());
+                #p::situation::write(self, names_, f_)
             }
         }
     })

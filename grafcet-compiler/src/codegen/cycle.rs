@@ -87,6 +87,6 @@ impl Cx<'_> {
     pub(super) fn call(&self, action: ActionId, phase: &TokenStream, args: &[Expr], moment: Moment) -> TokenStream {
         let (name, p) = (&self.model.actions[action].name, &self.p);
         let args = args.iter().map(|arg| self.value(arg, moment));
-        quote!(actions.#name(#p::Phase::#phase, #(#args),*);)
+        quote!(actions_.#name(#p::Phase::#phase, #(#args),*);)
     }
 }

@@ -37,10 +37,10 @@ pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> 
     let (vis, p) = (&cx.model.vis, &cx.p);
     let Deadline { at_once, waits, reading, from } = machine.deadline.as_ref()?;
     let soonest = match from {
-        None => quote!(soonest),
+        None => quote!(soonest_),
         Some(from) => quote! {
-            match soonest {
-                #p::Option::Some(time) => #p::Option::Some(#from.after(time)),
+            match soonest_ {
+                #p::Option::Some(time_) => #p::Option::Some(#from.after(time_)),
                 #p::Option::None => #p::Option::None,
             }
         },
@@ -54,7 +54,7 @@ pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> 
             if #at_once {
                 return #p::Option::Some(#reading);
             }
-            let mut soonest = #p::Option::None;
+            let mut soonest_ = #p::Option::None;
             #waits
             #soonest
         }
@@ -80,7 +80,7 @@ impl Cx<'_> {
     /// What is remembered of that, its type and what it begins with.
     pub(super) fn left_over_field(&self) -> Option<(Ident, TokenStream, TokenStream)> {
         let p = &self.p;
-        self.plan.flags_left_over.then(|| (names::local("settled"), quote!(#p::bool), quote!(false)))
+        self.plan.flags_left_over.then(|| (names::own("settled"), quote!(#p::bool), quote!(false)))
     }
 
     /// Whether the last cycle has left something to the next one, or there was none.
@@ -98,7 +98,7 @@ impl Cx<'_> {
         let steps = thresholds.iter().map(|(clock, threshold)| self.until(*clock, *threshold));
         let delays = self.model.delays.iter().map(|(id, delay)| {
             let (field, on, off) = (names::delay_field(id), self.time(delay.on), self.time(delay.off));
-            quote!(soonest = #p::sooner(soonest, self.#field.remaining(#on, #off));)
+            quote!(soonest_ = #p::sooner(soonest_, #p::Delay::remaining(&self.#field, #on, #off));)
         });
         let timers = self.timers();
         let left_over = self.is_left_over();
@@ -144,7 +144,7 @@ impl Cx<'_> {
             }
             Threshold::Always => quote!(#p::Option::Some(#tick)),
         };
-        quote!(if #active { soonest = #p::sooner(soonest, #remaining); })
+        quote!(if #active { soonest_ = #p::sooner(soonest_, #remaining); })
     }
 
     /// The timers of the action control.
@@ -157,7 +157,8 @@ impl Cx<'_> {
                     let prefix = format!("timer_{}", names::flag(qualifier));
                     let timer = names::target(&prefix, self.model, index, target);
                     let time = self.target_time(index, target, qualifier);
-                    tokens.extend(quote!(soonest = #p::sooner(soonest, self.#timer.remaining(#time));));
+                    tokens
+                        .extend(quote!(soonest_ = #p::sooner(soonest_, #p::OnDelay::remaining(&self.#timer, #time));));
                 }
             }
         }

@@ -28,7 +28,7 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
     let described = with_description(model, description);
     let situation = if cx.plan.one_step { step } else { &names.situation };
-    let active = if cx.plan.one_step { quote!(active == self) } else { quote!(self.is_active(*active)) };
+    let active = if cx.plan.one_step { quote!(active_ == self) } else { quote!(self.is_active(*active_)) };
     quote! {
         impl #chart {
             /// What the chart looks like: its steps, transitions and actions as they stand in the source.
@@ -39,9 +39,9 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
         }
 
         impl #p::ActiveSteps for #situation {
-            fn is_active_at(&self, step: #p::usize) -> #p::bool {
-                match <#chart as #p::Chart>::STEPS.get(step) {
-                    #p::Option::Some(active) => #active,
+            fn is_active_at(&self, step_: #p::usize) -> #p::bool {
+                match <#chart as #p::Chart>::STEPS.get(step_) {
+                    #p::Option::Some(active_) => #active,
                     #p::Option::None => false,
                 }
             }

@@ -35,10 +35,10 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
     let recipe = at(&names.params, place::here());
     let actions = (!calls.is_empty()).then(|| quote!(<A: #actions + ?#p::core::marker::Sized>));
     let steps = (!steps.is_empty()).then(|| quote!(let _ = [#(#step::#steps),*];));
-    let recipe = (!params.is_empty()).then(|| quote!(params: &#recipe,));
-    let inputs = (!inputs.is_empty()).then(|| quote!(let _ = (#(&inputs.#inputs,)*);));
-    let params = (!params.is_empty()).then(|| quote!(let _ = (#(&params.#params,)*);));
-    let outputs = (!outputs.is_empty()).then(|| quote!(let _ = (#(&outputs.#outputs,)*);));
+    let recipe = (!params.is_empty()).then(|| quote!(params_: &#recipe,));
+    let inputs = (!inputs.is_empty()).then(|| quote!(let _ = (#(&inputs_.#inputs,)*);));
+    let params = (!params.is_empty()).then(|| quote!(let _ = (#(&params_.#params,)*);));
+    let outputs = (!outputs.is_empty()).then(|| quote!(let _ = (#(&outputs_.#outputs,)*);));
     let calls = (!calls.is_empty()).then(|| quote!(let _ = (#(A::#calls,)*);));
     let macros = named("MacroStep", model.macros.values().map(|macro_step| &macro_step.name), &macros);
     let partials = named("Partial", model.partials.values().filter_map(|partial| partial.name.as_ref()), &partials);
@@ -47,7 +47,7 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
         #[allow(unexpected_cfgs)]
         const _: () = {
             #[cfg(rust_analyzer)]
-            fn mentions #actions (inputs: &#read, #recipe outputs: &#record) {
+            fn mentions #actions (inputs_: &#read, #recipe outputs_: &#record) {
                 #steps
                 #inputs
                 #params
@@ -83,7 +83,7 @@ fn variables(model: &Model, mentioned: &[Ident], p: &TokenStream) -> Option<Toke
     (!mentioned.is_empty()).then(|| {
         quote!({
             struct Variables { #(#names: #types,)* }
-            fn mentions(variables: &Variables) { let _ = (#(&variables.#mentioned,)*); }
+            fn mentions(variables_: &Variables) { let _ = (#(&variables_.#mentioned,)*); }
         })
     })
 }

@@ -23,14 +23,14 @@ impl Cx<'_> {
 
     fn flag(&self, name: &str, initial: bool) -> Field {
         let p = &self.p;
-        Field { name: names::local(name), ty: quote!(#p::bool), initial: quote!(#initial) }
+        Field { name: names::own(name), ty: quote!(#p::bool), initial: quote!(#initial) }
     }
 
     fn region_fields(&self) -> Vec<Field> {
         if self.plan.shape.is_flags() {
             let (p, bytes) = (&self.p, Literal::usize_suffixed(self.flag_bytes()));
             return vec![Field {
-                name: names::local("situation"),
+                name: names::own("situation"),
                 ty: quote!([#p::u8; #bytes]),
                 initial: self.first_flags(),
             }];
@@ -89,7 +89,7 @@ impl Cx<'_> {
         }
         let p = &self.p;
         let ticks = |name| Field { name, ty: quote!(#p::Ticks), initial: quote!(#p::Ticks::ZERO) };
-        let mut fields = vec![ticks(names::local("now"))];
+        let mut fields = vec![ticks(names::own("now"))];
         fields.push_all(self.left_over_field().map(|(name, ty, initial)| Field { name, ty, initial }));
         fields.push_all(self.timed_regions().map(|region| {
             let (name, time) = (names::step_time(region, self.plan), self.time_type(region));

@@ -67,13 +67,13 @@ impl Cx<'_> {
         let (copied, levels) = (requirements::copied(model, p), super::types::levels(model));
         let unreached = super::unreached::allowed(model);
         let time = self.plan.memory.time;
-        let now = time.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
-        let ticks = time.then(|| quote!(let now: #p::Ticks = #p::core::convert::Into::into(now);));
+        let now = time.then(|| quote!(, now_: impl #p::core::convert::Into<#p::Ticks>));
+        let ticks = time.then(|| quote!(let now_: #p::Ticks = #p::core::convert::Into::into(now_);));
         let (calls, has_actions) = (&names.actions, !model.actions.is_empty());
-        let actions = has_actions.then(|| quote!(, actions: &mut (impl #calls + ?#p::core::marker::Sized)));
-        let (pass_now, now_name) = if time { (Some(quote!(, now)), quote!(now)) } else { (None, quote!(_now)) };
+        let actions = has_actions.then(|| quote!(, actions_: &mut (impl #calls + ?#p::core::marker::Sized)));
+        let (pass_now, now_name) = if time { (Some(quote!(, now_)), quote!(now_)) } else { (None, quote!(_)) };
         let (pass, actions_name) =
-            if has_actions { (Some(quote!(, actions)), quote!(actions)) } else { (None, quote!(_actions)) };
+            if has_actions { (Some(quote!(, actions_)), quote!(actions_)) } else { (None, quote!(_)) };
         quote! {
             #levels
             #unreached
@@ -86,8 +86,8 @@ impl Cx<'_> {
                 /// # Errors
                 /// The chart is never in exactly these steps; then nothing has happened.
                 #[allow(unused_assignments, unused_mut, unused_variables)]
-                #vis fn force(&mut self, steps: &[#step], inputs: &#inputs #now #actions) -> #p::Result<#outputs, #p::ForceError<#step>> {
-                    #possible.look(<Self as #p::Chart>::STEPS, steps)?;
+                #vis fn force(&mut self, steps_: &[#step], inputs_: &#inputs #now #actions) -> #p::Result<#outputs, #p::ForceError<#step>> {
+                    #possible.look(<Self as #p::Chart>::STEPS, steps_)?;
                     #copied
                     #ticks
                     #ask
@@ -98,12 +98,12 @@ impl Cx<'_> {
             impl #p::Forceable for #chart {
                 fn force(
                     &mut self,
-                    steps: &[#step],
-                    inputs: &#inputs,
+                    steps_: &[#step],
+                    inputs_: &#inputs,
                     #now_name: #p::Ticks,
                     #actions_name: &mut Self::Actions<'_>,
                 ) -> #p::Result<#outputs, #p::ForceError<#step>> {
-                    self.force(steps, inputs #pass_now #pass)
+                    self.force(steps_, inputs_ #pass_now #pass)
                 }
             }
         }
@@ -119,7 +119,7 @@ impl Cx<'_> {
                 quote!(#name => #forced[#byte] |= #mask,)
             });
             let arms = arms.tokens();
-            return quote!(let mut #forced = [0; #bytes]; for step in steps { match *step { #arms } });
+            return quote!(let mut #forced = [0; #bytes]; for step_ in steps_ { match *step_ { #arms } });
         }
         let (p, regions) = (&self.p, 0..self.plan.regions.all().len());
         let declare = regions.clone().map(|region| {
@@ -141,12 +141,12 @@ impl Cx<'_> {
             };
             quote! {
                 let #name = match #name {
-                    #p::Option::Some(state) => state,
+                    #p::Option::Some(state_) => state_,
                     #p::Option::None => #none,
                 };
             }
         });
-        quote!(#(#declare)* for step in steps { match *step { #arms } } #(#states)*)
+        quote!(#(#declare)* for step_ in steps_ { match *step_ { #arms } } #(#states)*)
     }
 
     /// The situation before, and the one that is asked for as that after it.
@@ -172,9 +172,9 @@ impl Cx<'_> {
         let (outputs, time) = (self.declare_outputs(), self.pass_time());
         let first = self.plan.memory.asks_for_start().then(|| {
             let first = self.first();
-            quote!(let first = #first;)
+            quote!(let first_ = #first;)
         });
-        let (declare_edges, samples) = (self.declare_edges(), self.sample_all(&quote!(first)));
+        let (declare_edges, samples) = (self.declare_edges(), self.sample_all(&quote!(first_)));
         let (snapshot, keep, commit) = (self.forced_snapshot(), self.keep_times(), self.commit());
         let (settle, acts, unsettle) = (self.settle(), self.scan_actions(), self.unsettle());
         let result = self.result();
@@ -187,11 +187,11 @@ impl Cx<'_> {
     fn by_search(&self) -> TokenStream {
         let (outputs, forget, time) = (self.declare_outputs(), self.forget_instability(), self.pass_time());
         let (start, left) = (self.start_cycle(), self.unsettle());
-        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(first_evolution)));
+        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(first_evolution_)));
         let (combinational, edges) =
-            (self.all_combinational(Moment::Condition), self.sample_edges(false, &quote!(first_evolution)));
+            (self.all_combinational(Moment::Condition), self.sample_edges(false, &quote!(first_evolution_)));
         let first_evolution =
-            (self.plan.memory.asks_for_start() && self.samples_in_search()).then(|| quote!(first_evolution = false;));
+            (self.plan.memory.asks_for_start() && self.samples_in_search()).then(|| quote!(first_evolution_ = false;));
         let (declare, collect) = (self.declare_collected(), self.collect_stored());
         let (stored, take_over) = (self.do_stored(), self.commit_collected());
         let (commit, restart, gone) = (self.commit(), self.restart_times(), self.forget_edges());

@@ -36,18 +36,19 @@ impl Cx<'_> {
         let (first, enter) = (self.first(), self.enter_initial());
         let stored = self.initial_stored();
         let mutable = self.samples_in_search().then(|| quote!(mut));
-        let first_evolution = self.plan.memory.asks_for_start().then(|| quote!(let #mutable first_evolution = #first;));
+        let first_evolution =
+            self.plan.memory.asks_for_start().then(|| quote!(let #mutable first_evolution_ = #first;));
         if delays.is_empty() || stored.is_empty() {
             return quote!(#first_evolution if #first { #enter #stored } #delays);
         }
         quote! {
             #first_evolution
-            let first = #first;
-            if first {
+            let first_ = #first;
+            if first_ {
                 #enter
             }
             #delays
-            if first { #stored }
+            if first_ { #stored }
         }
     }
 
@@ -55,7 +56,7 @@ impl Cx<'_> {
     fn left_by_start(&self) -> Option<TokenStream> {
         let acts = self.plan.has_start && !self.model.delays.is_empty() && !self.initial_stored().is_empty();
         let unsettle = acts.then(|| self.unsettle()).flatten()?;
-        Some(quote!(if first { #unsettle }))
+        Some(quote!(if first_ { #unsettle }))
     }
 
     /// The delays, on the situation the cycle starts from.
@@ -63,7 +64,7 @@ impl Cx<'_> {
         if self.model.delays.is_empty() {
             return TokenStream::new();
         }
-        let (snapshot, samples) = (self.befores(), self.sample_delays(&quote!(first_evolution)));
+        let (snapshot, samples) = (self.befores(), self.sample_delays(&quote!(first_evolution_)));
         quote!({ #snapshot #samples })
     }
 
@@ -71,11 +72,11 @@ impl Cx<'_> {
     fn search(&self) -> TokenStream {
         let combinational = self.all_combinational(Moment::Condition);
         let (declare_bound, bound) = self.bound();
-        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(first_evolution)));
-        let (edges, forget) = (self.sample_edges(false, &quote!(first_evolution)), self.forget_edges());
+        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(first_evolution_)));
+        let (edges, forget) = (self.sample_edges(false, &quote!(first_evolution_)), self.forget_edges());
         let keep_edges = self.plan.may_be_unstable.then(|| self.keep_edges().0);
         let first_evolution = self.plan.memory.asks_for_start() && self.samples_in_search();
-        let first_evolution = first_evolution.then(|| quote!(first_evolution = false;));
+        let first_evolution = first_evolution.then(|| quote!(first_evolution_ = false;));
         let (stored, commit_collected) = (self.do_stored(), self.commit_collected());
         let (commit, restart) = (self.commit(), self.restart_times());
         let evolve = self.evolve_or_stop();
@@ -111,7 +112,7 @@ impl Cx<'_> {
     pub(super) fn opaque_inputs(&self) -> Option<TokenStream> {
         let p = &self.p;
         let reads = !self.model.inputs.is_empty() && !self.plan.shape.evolves_apart();
-        reads.then(|| quote!(let inputs = #p::core::hint::black_box(inputs);))
+        reads.then(|| quote!(let inputs_ = #p::core::hint::black_box(inputs_);))
     }
 
     /// A delay is sampled once per cycle: the next one sees the new situation.
@@ -138,7 +139,7 @@ impl Cx<'_> {
         let afters = self.afters();
         if self.plan.shape.evolves_apart() {
             let (evolve, probe) = (names::evolve(), self.probe());
-            return quote!(#probe if !self.#evolve(inputs) { break; } #afters);
+            return quote!(#probe if !self.#evolve(inputs_) { break; } #afters);
         }
         let (moved, evolve) = (self.declare_moved(), self.evolve());
         quote!(#declare #moved #evolve #afters #collect if #unchanged { break; })
@@ -148,9 +149,9 @@ impl Cx<'_> {
     fn probe(&self) -> TokenStream {
         let (evolve, mark, unsettle) = (names::evolve(), self.mark(true), self.unsettle());
         quote! {
-            if evolutions_left == 0 {
-                let mut copy = *self;
-                if copy.#evolve(inputs) {
+            if evolutions_left_ == 0 {
+                let mut copy_ = *self;
+                if copy_.#evolve(inputs_) {
                     #mark
                     #unsettle
                 }
@@ -161,7 +162,7 @@ impl Cx<'_> {
 
     /// A25: the situation is a fixed point, and nothing else is to be done.
     fn unchanged(&self) -> TokenStream {
-        let same = if self.plan.shape.notes_moves { vec![quote!(!moved)] } else { self.is_same() };
+        let same = if self.plan.shape.notes_moves { vec![quote!(!moved_)] } else { self.is_same() };
         let terms: Vec<_> = same.into_iter().and(self.collected_unchanged()).list();
         if terms.is_empty() { quote!(true) } else { quote!(#(#terms)&&*) }
     }
@@ -171,21 +172,21 @@ impl Cx<'_> {
         let Search::Bounded(undo) = self.plan.shape.search else { return Default::default() };
         let (limit, p) = (Literal::u32_unsuffixed(self.plan.max_evolutions), &self.p);
         let declare = quote! {
-            let mut evolutions_left: #p::u32 = #limit;
+            let mut evolutions_left_: #p::u32 = #limit;
         };
         let put_back = match undo {
-            Undo::Copy => return (declare, quote!(evolutions_left -= 1;)),
+            Undo::Copy => return (declare, quote!(evolutions_left_ -= 1;)),
             Undo::Nothing => self.keep_edges().1,
         };
         let (mark, unsettle) = (self.mark(true), self.unsettle());
         let bound = quote! {
-            if evolutions_left == 0 {
+            if evolutions_left_ == 0 {
                 #put_back
                 #mark
                 #unsettle
                 break;
             }
-            evolutions_left -= 1;
+            evolutions_left_ -= 1;
         };
         (declare, bound)
     }
@@ -303,7 +304,7 @@ impl Cx<'_> {
         let gathered = self.in_order(associations.iter().enumerate().map(|(i, association)| {
             let index = Literal::usize_unsuffixed(i);
             let note = choice.then(|| quote!(self.#number = #index;));
-            let set = quote!(active = true; #note);
+            let set = quote!(active_ = true; #note);
             Item::After(
                 association.step,
                 match self.continuous_condition(association, Moment::Stable) {
@@ -331,15 +332,15 @@ impl Cx<'_> {
         let unsettle = self.unsettle();
         quote! {
             {
-                let mut active = false;
+                let mut active_ = false;
                 #gathered
-                if active {
+                if active_ {
                     #unsettle
                     if self.#called { #repeated } else { #first }
                 } else if self.#called {
                     #last
                 }
-                self.#called = active;
+                self.#called = active_;
             }
         }
     }

@@ -16,14 +16,14 @@ impl Cx<'_> {
     /// An `sfc` only wants to know for `next_deadline`.
     pub(super) fn declare_moved(&self) -> Option<TokenStream> {
         if self.model.is_grafcet() {
-            return self.plan.shape.notes_moves.then(|| quote!(let mut moved = false;));
+            return self.plan.shape.notes_moves.then(|| quote!(let mut moved_ = false;));
         }
         self.assume_settled()
     }
 
     pub(super) fn note_moved(&self) -> Option<TokenStream> {
         if self.model.is_grafcet() {
-            return self.plan.shape.notes_moves.then(|| quote!(moved = true;));
+            return self.plan.shape.notes_moves.then(|| quote!(moved_ = true;));
         }
         self.plan.shape.notes_moves.then(|| self.unsettle()).flatten()
     }
@@ -113,7 +113,7 @@ impl Cx<'_> {
             let (state, target) = (self.variant(*step), self.next_step(*step));
             quote!(#state => #target,)
         });
-        let rest = (group.alone.len() < self.states(group.head)).then(|| quote!(waiting => waiting,));
+        let rest = (group.alone.len() < self.states(group.head)).then(|| quote!(waiting_ => waiting_,));
         let head = self.plain_state(group.head);
         Some(self.set_state(group.head, &quote!(match #head { #(#arms)* #rest })))
     }
@@ -145,12 +145,12 @@ impl Cx<'_> {
         Some(quote! {
             /// One evolution; whether it has changed the situation.
             #[inline(never)]
-            fn #name(&mut self, inputs: &#inputs) -> #p::bool {
+            fn #name(&mut self, inputs_: &#inputs) -> #p::bool {
                 #copied
-                let mut moved = false;
+                let mut moved_ = false;
                 #befores
                 #evolve
-                moved
+                moved_
             }
         })
     }

@@ -76,7 +76,7 @@ impl<'m> Machine<'m> {
             types: state::enums(cx),
             regions: state::regions(cx),
             fields: cx.fields(),
-            clock: plan.memory.time.then(|| names::local("now")),
+            clock: plan.memory.time.then(|| names::own("now")),
             began: Vec::new(),
             stored: remembered.and(vars).list(),
             cycle: cx.cycle_body(),

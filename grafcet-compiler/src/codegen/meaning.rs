@@ -16,7 +16,7 @@ impl Cx<'_> {
         let mut held = Vec::new();
         if plan.shape.is_flags() {
             held.push((
-                names::local("situation").to_string(),
+                names::own("situation").to_string(),
                 Held::Flags { steps: model.steps.ids().list(), has_start: plan.has_start },
             ));
         }

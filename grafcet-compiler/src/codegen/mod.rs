@@ -134,5 +134,6 @@ fn items(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let mentions = editor::mentions(cx.model, &cx.names, &cx.p);
     let variants = variants::all(cx);
     let vars = outside::vars(cx, machine);
-    quote!(#types #variants #recipe #states #state #chart #vars #uniform #description #mentions)
+    // The chart comes first: of two charts with one name that is what rustc complains of first.
+    quote!(#state #types #variants #recipe #states #chart #vars #uniform #description #mentions)
 }

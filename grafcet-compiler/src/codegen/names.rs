@@ -1,4 +1,8 @@
 //! Every name in the generated code.
+//!
+//! Hygiene keeps our locals from the user's, but a `let` or a parameter that is called like a constant, a static, or a variant that a `use`
+//! brings in is a pattern of that, whoever wrote it. So what generated code binds ends with an underscore (`inputs_`), which no
+//! item of a program does; fields, which are no patterns, do not.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
@@ -40,7 +44,7 @@ pub(super) struct Names {
 impl Names {
     pub(super) fn of(model: &Model) -> Self {
         let chart = &model.name;
-        let with = |suffix: &str| format_ident!("{chart}{suffix}");
+        let with = |suffix: &str| format_ident!("{chart}{suffix}", span = place::here());
         let steps: Set<String> = model.steps.values().map(|step| step.name.to_string()).collect();
         Self {
             chart: chart.clone(),
@@ -52,7 +56,7 @@ impl Names {
             params: with("Params"),
             actions: with("Actions"),
             empty: unused(&steps, "NONE"),
-            start: local("INIT"),
+            start: own("INIT"),
             transitions: transitions(model),
         }
     }
@@ -80,7 +84,7 @@ impl Names {
 
 /// The field that holds the state of a region.
 pub(super) fn region_field(region: RegionId, plan: &Plan<'_>) -> Ident {
-    numbered("situation", "region", region, plan)
+    own(&numbered("situation", "region", region, plan))
 }
 
 /// The state of a region before the evolution; that of all, where they are bits.
@@ -94,45 +98,45 @@ pub(super) fn after(region: RegionId, plan: &Plan<'_>) -> Ident {
 }
 
 fn state(name: &str, region: RegionId, plan: &Plan<'_>) -> Ident {
-    if plan.regions.are_flags() { local(name) } else { numbered(name, name, region, plan) }
+    if plan.regions.are_flags() { local(name) } else { local(&numbered(name, name, region, plan)) }
 }
 
 /// The function that does one evolution.
 pub(super) fn evolve() -> Ident {
-    local("__evolve")
+    own("__evolve")
 }
 
 /// Whether a step of the region was left and entered again in one evolution.
 pub(super) fn again(region: RegionId, plan: &Plan<'_>) -> Ident {
-    numbered("again", "again", region, plan)
+    local(&numbered("again", "again", region, plan))
 }
 
-fn numbered(single: &str, many: &str, region: RegionId, plan: &Plan<'_>) -> Ident {
+fn numbered(single: &str, many: &str, region: RegionId, plan: &Plan<'_>) -> String {
     match plan.regions.all().len() {
-        1 => local(single),
-        _ => local(&format!("{many}_{region}")),
+        1 => single.to_owned(),
+        _ => format!("{many}_{region}"),
     }
 }
 
 /// The field that remembers an output, or its value of the last cycle.
 pub(super) fn output_field(model: &Model, output: OutputId) -> Ident {
-    prefixed("out_", &model.outputs[output].name)
+    own_of("out_", &model.outputs[output].name)
 }
 
 /// The field that remembers what an output was in the cycle before, only because it is read.
 pub(super) fn output_last_field(model: &Model, output: OutputId) -> Ident {
-    prefixed("out_last_", &model.outputs[output].name)
+    own_of("out_last_", &model.outputs[output].name)
 }
 
 /// The field of a variable.
 pub(super) fn var_field(model: &Model, var: VarId) -> Ident {
-    prefixed("var_", &model.vars[var].name)
+    own_of("var_", &model.vars[var].name)
 }
 
 /// The field of the outputs to be returned.
 pub(super) fn output_local(model: &Model, output: OutputId) -> TokenStream {
     let name = &model.outputs[output].name;
-    quote!(outputs.#name)
+    quote!(outputs_.#name)
 }
 
 /// The local with the value of an output before the actions of this cycle.
@@ -147,22 +151,22 @@ pub(super) fn output_reset(model: &Model, output: OutputId) -> Ident {
 
 /// The field that counts the time of a region's active step.
 pub(super) fn step_time(region: RegionId, plan: &Plan<'_>) -> Ident {
-    numbered("since", "since", region, plan)
+    own(&numbered("since", "since", region, plan))
 }
 
 /// The time of the step that was active before the evolution.
 pub(super) fn step_time_before(region: RegionId, plan: &Plan<'_>) -> Ident {
-    numbered("since_before", "since_before", region, plan)
+    local(&numbered("since_before", "since_before", region, plan))
 }
 
 /// The field that counts the time of a macro-step.
 pub(super) fn macro_time(id: MacroId) -> Ident {
-    local(&format!("macro_since_{}", id.index()))
+    own(&format!("macro_since_{}", id.index()))
 }
 
 /// The field that counts how far something that blinks is in its period.
 pub(super) fn phase(index: usize) -> Ident {
-    local(&format!("phase_{index}"))
+    own(&format!("phase_{index}"))
 }
 
 /// What it was before the evolution.
@@ -177,7 +181,7 @@ pub(super) fn any_cleared(any: AnyId) -> Ident {
 
 /// The field that remembers the expression of an edge.
 pub(super) fn edge_field(id: EdgeId) -> Ident {
-    local(&format!("edge_{}", id.index()))
+    own(&format!("edge_{}", id.index()))
 }
 
 /// The local that keeps what an edge compares with.
@@ -192,13 +196,16 @@ pub(super) fn edge_local(id: EdgeId, rising: bool) -> Ident {
 
 /// The field and the local of an edge that is sampled after the evolution.
 pub(super) fn late_edge(id: EdgeId, side: Option<bool>) -> Ident {
-    let side = side.map_or("", |rising| if rising { "rising_now_" } else { "falling_now_" });
-    local(&format!("{side}late_{}", id.index()))
+    let late = format!("late_{}", id.index());
+    side.map_or_else(
+        || own(&late),
+        |rising| local(&format!("{}_now_{late}", if rising { "rising" } else { "falling" })),
+    )
 }
 
 /// The field of a delay.
 pub(super) fn delay_field(id: DelayId) -> Ident {
-    local(&format!("delay_{}", id.index()))
+    own(&format!("delay_{}", id.index()))
 }
 
 /// The local that says that a step which is both left and kept shall be active.
@@ -241,12 +248,12 @@ pub(super) fn place_field(model: &Model, place: Place) -> Ident {
 
 /// The field that says whether an action was called continuously in the cycle before.
 pub(super) fn called(model: &Model, action: ActionId) -> Ident {
-    prefixed("called_", &model.actions[action].name)
+    own_of("called_", &model.actions[action].name)
 }
 
 /// The field that remembers which association called an action last.
 pub(super) fn called_number(model: &Model, action: ActionId) -> Ident {
-    prefixed("association_", &model.actions[action].name)
+    own_of("association_", &model.actions[action].name)
 }
 
 /// The local that says that a call on an event or a clearing is due.
@@ -254,15 +261,20 @@ pub(super) fn due(kind: &str, index: usize) -> Ident {
     local(&format!("due_{kind}_{index}"))
 }
 
-/// Names that belong to a target of the action control: `set_heat`, `pulse_heat`.
+/// A field that belongs to a target of the action control: `timer_flag_l_heat`.
 pub(super) fn target(prefix: &str, model: &Model, index: usize, target: &Target) -> Ident {
     let first = target.associations.first().map(|id| &model.associations[*id].effect);
     match first {
-        Some(Effect::Control(place)) => prefixed(&format!("{prefix}_"), model.place_name(*place)),
-        Some(Effect::Call(action, _)) => prefixed(&format!("{prefix}_"), &model.actions[*action].name),
-        Some(Effect::Assign(place, _)) => prefixed(&format!("{prefix}_{index}_"), model.place_name(*place)),
-        _ => local(&format!("{prefix}_{index}")),
+        Some(Effect::Control(place)) => own_of(&format!("{prefix}_"), model.place_name(*place)),
+        Some(Effect::Call(action, _)) => own_of(&format!("{prefix}_"), &model.actions[*action].name),
+        Some(Effect::Assign(place, _)) => own_of(&format!("{prefix}_{index}_"), model.place_name(*place)),
+        _ => own(&format!("{prefix}_{index}")),
     }
+}
+
+/// A local that belongs to such a target: `flag_n_heat_`.
+pub(super) fn target_local(prefix: &str, model: &Model, index: usize, of: &Target) -> Ident {
+    local(&target(prefix, model, index, of).to_string())
 }
 
 /// The prefix of a target's flag for a qualifier: `flag_sd`.
@@ -300,13 +312,22 @@ pub(super) fn written(name: &Ident) -> Ident {
     prefixed("written_", name)
 }
 
-/// A name of ours that no token of the user can mean.
+/// A local or a parameter: no token of the user can mean it, and it means no item of the user.
 pub(super) fn local(name: &str) -> Ident {
+    own(&format!("{name}_"))
+}
+
+/// Any other name of ours: a field, a function, a variant.
+pub(super) fn own(name: &str) -> Ident {
     Ident::new(name, place::mixed())
 }
 
 fn prefixed(prefix: &str, name: &Ident) -> Ident {
-    local(&format!("{prefix}{}", name.to_string().trim_start_matches("r#")))
+    local(own_of(prefix, name).to_string().as_str())
+}
+
+fn own_of(prefix: &str, name: &Ident) -> Ident {
+    own(&format!("{prefix}{}", name.to_string().trim_start_matches("r#")))
 }
 
 /// `name`, with underscores after it until no step is called so.
@@ -315,7 +336,7 @@ fn unused(steps: &Set<String>, name: &str) -> Ident {
     while steps.contains(&name) {
         name.push('_');
     }
-    local(&name)
+    own(&name)
 }
 
 /// `Go` for `-[go: x]->`; else from the steps, `OffToOn`; numbered where that is taken.

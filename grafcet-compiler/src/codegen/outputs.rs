@@ -21,7 +21,7 @@ impl Cx<'_> {
             let (name, value) = (&output.name, types::initial_output(self.model, id, &self.p));
             quote!(#name: #value,)
         });
-        quote!(let #mutable outputs = #outputs { #(#fields)* };)
+        quote!(let #mutable outputs_ = #outputs { #(#fields)* };)
     }
 
     /// A boolean output under a qualifier.
@@ -121,6 +121,6 @@ impl Cx<'_> {
             let unsettle = self.unsettle_if(&changed);
             quote!(#unsettle self.#field = #local;)
         });
-        quote!(#(#stored)* #(#remember)* outputs)
+        quote!(#(#stored)* #(#remember)* outputs_)
     }
 }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use super::machine::Machine;
 use super::{Cx, derives, requirements, types};
 use crate::model::{Model, Ty};
-use crate::place::quote;
+use crate::place::{self, quote};
 
 /// `name`, `Debug` and `Display` of an enum of names, whose variants are listed.
 pub(super) fn texts<'n>(
@@ -37,14 +37,14 @@ pub(super) fn texts<'n>(
         // A method of that name in a trait of the user comes first after a reference, and a variant after `Self::`.
         #[automatically_derived]
         impl #p::core::fmt::Debug for #name {
-            fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
-                f.write_str((*self).name())
+            fn fmt(&self, f_: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
+                f_.write_str((*self).name())
             }
         }
 
         impl #p::core::fmt::Display for #name {
-            fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
-                f.pad((*self).name())
+            fn fmt(&self, f_: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
+                f_.pad((*self).name())
             }
         }
     }
@@ -98,11 +98,12 @@ pub(super) fn vars(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     let copied = requirements::copied(model, p);
     let doc = format!("The variables of [`{chart}`], as the last cycle has left them.");
     (!vars.is_empty()).then(|| {
+        let item = place::item("struct", &name, &model.name, &quote!(#(#fields)*));
         quote! {
             #[doc = #doc]
             #derives
             #levels
-            #vis struct #name { #(#fields)* }
+            #vis #item
 
             #written_out
 

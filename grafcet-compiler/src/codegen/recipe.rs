@@ -36,11 +36,12 @@ fn params(cx: &Cx<'_>) -> TokenStream {
     let levels = types::levels(model);
     let doc = format!("The recipe of [`{chart}`]; `default()` holds the values in the chart.");
     let ranges = has_ranges(model).then(|| ranges(cx));
+    let item = place::item("struct", name, &model.name, &quote!(#(#fields)*));
     quote! {
         #[doc = #doc]
         #derives
         #levels
-        #vis struct #name { #(#fields)* }
+        #vis #item
 
         #written_out
 
@@ -129,10 +130,10 @@ pub(super) fn exchanged_in_range(cx: &Cx<'_>, values: &TokenStream) -> TokenStre
         ///
         /// # Errors
         /// A param is not in the range that the chart states.
-        #vis const fn with_params(params: #params) -> #p::Result<Self, #p::OutOfRange> {
-            match params.#out_of_range() {
-                #p::Option::Some(refused) => #p::Result::Err(refused),
-                #p::Option::None => #p::Result::Ok(Self { #values params }),
+        #vis const fn with_params(params_: #params) -> #p::Result<Self, #p::OutOfRange> {
+            match params_.#out_of_range() {
+                #p::Option::Some(refused_) => #p::Result::Err(refused_),
+                #p::Option::None => #p::Result::Ok(Self { #values params: params_ }),
             }
         }
 
@@ -146,11 +147,11 @@ pub(super) fn exchanged_in_range(cx: &Cx<'_>, values: &TokenStream) -> TokenStre
         ///
         /// # Errors
         /// A param is not in the range that the chart states; the chart keeps the recipe that it has.
-        #vis fn set_params(&mut self, params: #params) -> #p::Result<(), #p::OutOfRange> {
-            match params.#out_of_range() {
-                #p::Option::Some(refused) => #p::Result::Err(refused),
+        #vis fn set_params(&mut self, params_: #params) -> #p::Result<(), #p::OutOfRange> {
+            match params_.#out_of_range() {
+                #p::Option::Some(refused_) => #p::Result::Err(refused_),
                 #p::Option::None => {
-                    self.params = params;
+                    self.params = params_;
                     #p::Result::Ok(())
                 }
             }
@@ -178,9 +179,10 @@ fn actions(cx: &Cx<'_>) -> TokenStream {
     });
     let (vis, name, levels) = (&model.vis, &cx.names.actions, types::levels(model));
     let doc = format!("The code actions of [`{}`], carried out by the program.", model.name);
+    let item = place::item("trait", name, &model.name, &quote!(#(#methods)*));
     quote! {
         #[doc = #doc]
         #levels
-        #vis trait #name { #(#methods)* }
+        #vis #item
     }
 }

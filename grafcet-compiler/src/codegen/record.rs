@@ -95,7 +95,7 @@ fn blocked(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
         #[automatically_derived]
         impl #p::Blocked for #chart {
             fn blocked(&self) -> impl #p::core::iter::Iterator<Item = #p::usize> {
-                #p::core::iter::Iterator::filter(0..#count, move |number| match *number { #arms _ => false })
+                #p::core::iter::Iterator::filter(0..#count, move |number_| match *number_ { #arms _ => false })
             }
         }
     }

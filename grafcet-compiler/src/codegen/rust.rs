@@ -31,7 +31,7 @@ pub(super) fn behind(bindings: &TokenStream, tokens: &syn::Expr) -> TokenStream 
     }
     if begins_with_block(tokens) {
         // Rust would take the block for a statement.
-        return quote!({ #bindings let value = #tokens; value });
+        return quote!({ #bindings let value_ = #tokens; value_ });
     }
     quote!({ #bindings #tokens })
 }

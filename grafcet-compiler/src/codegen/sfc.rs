@@ -17,9 +17,9 @@ impl Cx<'_> {
         let time = self.pass_time();
         let first = self.plan.memory.asks_for_start().then(|| {
             let first = self.first();
-            quote!(let first = #first;)
+            quote!(let first_ = #first;)
         });
-        let (declare_edges, samples) = (self.declare_edges(), self.sample_all(&quote!(first)));
+        let (declare_edges, samples) = (self.declare_edges(), self.sample_all(&quote!(first_)));
         let evolve = self.evolve();
         let keep = self.keep_times();
         let commit = self.commit();

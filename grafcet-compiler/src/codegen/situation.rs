@@ -192,14 +192,14 @@ impl Cx<'_> {
     pub(super) fn shown_flags(&self) -> TokenStream {
         let starting = self.plan.has_start.then(|| {
             let (starting, initial) = (self.is_starting(At::Now), self.initial_flags());
-            quote!(if #starting { steps = #initial; })
+            quote!(if #starting { steps_ = #initial; })
         });
         let unmarked = self.plan.may_be_unstable.then(|| {
             let (byte, mask) = place(self.mark_bit());
-            quote!(steps[#byte] &= !#mask;)
+            quote!(steps_[#byte] &= !#mask;)
         });
         let mutable = (self.plan.has_start || self.plan.may_be_unstable).then(|| quote!(mut));
-        quote!(let #mutable steps = self.situation; #starting #unmarked)
+        quote!(let #mutable steps_ = self.situation; #starting #unmarked)
     }
 
     /// `[1, 0]`

@@ -6,7 +6,7 @@ use super::machine::{Field, Machine};
 use super::{Cx, derives, names, recipe, types};
 use crate::list::List;
 use crate::model::StepId;
-use crate::place::quote;
+use crate::place::{self, quote};
 use crate::plan::RegionId;
 
 /// The enum of a region: the steps, of which at most one is active, what it has beside them, and how it is stored.
@@ -68,8 +68,8 @@ pub(super) fn region_enum(cx: &Cx<'_>, states: &StateEnum) -> TokenStream {
 
         #[automatically_derived]
         impl #p::core::fmt::Debug for #name {
-            fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
-                f.write_str(#p::name_at(&[#(#texts),*], *self as #p::usize))
+            fn fmt(&self, f_: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
+                f_.write_str(#p::name_at(&[#(#texts),*], *self as #p::usize))
             }
         }
 
@@ -97,18 +97,18 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
         struct #name(#number);
 
         impl #name {
-            const fn of(state: #state) -> Self {
-                Self(state as #number)
+            const fn of(state_: #state) -> Self {
+                Self(state_ as #number)
             }
 
             const fn state(self) -> #state {
-                let number = self.0 & #below;
+                let number_ = self.0 & #below;
                 #numbered
             }
 
             /// Another state, and the mark as it is.
-            const fn with(self, state: #state) -> Self {
-                Self(self.0 & #mark | state as #number)
+            const fn with(self, state_: #state) -> Self {
+                Self(self.0 & #mark | state_ as #number)
             }
 
             const fn unmarked(self) -> Self {
@@ -130,13 +130,13 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
 /// from comparing with each of three.
 fn from_number(state: &Ident, variants: &[Ident], literal: &impl Fn(usize) -> Literal) -> TokenStream {
     let Some((last, others)) = variants.split_last() else { return TokenStream::new() };
-    let Some((rest, first)) = others.split_last() else { return quote!({ let _ = number; #state::#last }) };
+    let Some((rest, first)) = others.split_last() else { return quote!({ let _ = number_; #state::#last }) };
     let arms = first.iter().enumerate().map(|(i, variant)| {
         let number = literal(i);
         quote!(#number => #state::#variant,)
     });
     let highest = literal(others.len());
-    quote!(if number >= #highest { #state::#last } else { match number { #(#arms)* _ => #state::#rest } })
+    quote!(if number_ >= #highest { #state::#last } else { match number_ { #(#arms)* _ => #state::#rest } })
 }
 
 impl Cx<'_> {
@@ -203,12 +203,13 @@ pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let encoding = cx.encoding(machine).map(|text| format!("\n\n{text}"));
     let encoding = encoding.map(|text| quote!(#[doc = #text]));
     let drawing = super::description::drawing(cx);
+    let item = place::item("struct", name, &model.name, &quote!(#(#declared)* #params_field));
     quote! {
         #docs
         #drawing
         #encoding
         #derives
-        #vis struct #name { #(#declared)* #params_field }
+        #vis #item
 
         #written_out
 
@@ -245,8 +246,8 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
             #[doc = #doc]
             #[must_use]
             #vis const fn new() -> Self {
-                let params = #params::new();
-                Self { #values params }
+                let params_ = #params::new();
+                Self { #values params: params_ }
             }
 
             #exchanged
@@ -262,8 +263,8 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
 
         #[doc = #with_doc]
         #[must_use]
-        #vis const fn with_params(params: #params) -> Self {
-            Self { #values params }
+        #vis const fn with_params(params_: #params) -> Self {
+            Self { #values params: params_ }
         }
 
         /// The recipe in use.
@@ -273,8 +274,8 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
         }
 
         /// Exchanges the recipe; the next cycle uses the new one.
-        #vis fn set_params(&mut self, params: #params) {
-            self.params = params;
+        #vis fn set_params(&mut self, params_: #params) {
+            self.params = params_;
         }
     };
     (Some(quote!(params: #params,)), new)

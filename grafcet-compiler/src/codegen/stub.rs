@@ -43,11 +43,12 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
         let derives = derives::of(declared.iter().map(|(_, _, ty)| *ty));
         let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
         let fields = fields(declared.into_iter(), p);
+        let item = place::item("struct", name, &model.name, &quote!(#fields));
         quote! {
             #docs
             #derives
             #[allow(missing_docs, dead_code, clippy::all, clippy::pedantic)]
-            #vis struct #name { #fields }
+            #vis #item
             #written_out
             impl #p::core::default::Default for #name { fn default() -> Self { loop {} } }
         }
@@ -91,10 +92,11 @@ fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let list = |name: &Ident, variants: Vec<TokenStream>| {
         let vis = &model.vis;
         let derives = derives::of_names().and("Debug").attributes(model, p);
+        let item = place::item("enum", name, &model.name, &quote!(#(#variants,)*));
         quote! {
             #derives
             #[allow(missing_docs, dead_code, non_camel_case_types, clippy::all, clippy::pedantic)]
-            #vis enum #name { #(#variants,)* }
+            #vis #item
 
             #[allow(missing_docs, dead_code)]
             impl #name { #vis const fn name(self) -> &'static #p::str { "" } }
@@ -118,7 +120,7 @@ fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
 fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, step, params, actions, .. } = names;
     let vis = &model.vis;
-    let now = timed.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
+    let now = timed.then(|| quote!(, now_: impl #p::core::convert::Into<#p::Ticks>));
     let reads_params = |assumption: &Assumption| {
         let is_param = |read: &Read| matches!(read, Read::Name(Name::Param(_)));
         assumption.of_range.is_none() && assumption.never.reads.iter().any(is_param)
@@ -127,13 +129,13 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
     let (with_params, set_params) = if recipe::has_ranges(model) {
         let refused = quote!(#p::OutOfRange);
         (
-            quote!(#vis const fn with_params(params: #params) -> #p::Result<Self, #refused> { #p::Result::Ok(Self {}) }),
-            quote!(#vis fn set_params(&mut self, params: #params) -> #p::Result<(), #refused> { loop {} }),
+            quote!(#vis const fn with_params(params_: #params) -> #p::Result<Self, #refused> { #p::Result::Ok(Self {}) }),
+            quote!(#vis fn set_params(&mut self, params_: #params) -> #p::Result<(), #refused> { loop {} }),
         )
     } else {
         (
-            quote!(#vis const fn with_params(params: #params) -> Self { Self {} }),
-            quote!(#vis fn set_params(&mut self, params: #params) {}),
+            quote!(#vis const fn with_params(params_: #params) -> Self { Self {} }),
+            quote!(#vis fn set_params(&mut self, params_: #params) {}),
         )
     };
     let recipe = (!model.params.is_empty()).then(|| {
@@ -156,12 +158,13 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
         }
     });
     let force = model.forceable.then(|| {
-        let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
+        let calls = (!model.actions.is_empty()).then(|| quote!(, actions_: &mut (impl #actions + ?#p::core::marker::Sized)));
         quote! {
-            #vis fn force(&mut self, steps: &[#step], inputs: &#inputs #now #calls) -> #p::Result<#outputs, #p::ForceError<#step>> { loop {} }
+            #vis fn force(&mut self, steps_: &[#step], inputs_: &#inputs #now #calls) -> #p::Result<#outputs, #p::ForceError<#step>> { loop {} }
         }
     });
-    let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
+    let calls =
+        (!model.actions.is_empty()).then(|| quote!(, actions_: &mut (impl #actions + ?#p::core::marker::Sized)));
     // A name that is declared twice has been reported.
     let mut seen = Set::new();
     let declared = model.actions.values().filter(|action| seen.insert(action.name.to_string()));
@@ -173,8 +176,9 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
         });
         quote!(#docs fn #name(&mut self, phase: #p::Phase, #(#params),*) {})
     });
-    let trait_item = (!model.actions.is_empty())
-        .then(|| quote!(#[allow(missing_docs, dead_code, unused_variables)] #vis trait #actions { #(#methods)* }));
+    let item = place::item("trait", actions, &model.name, &quote!(#(#methods)*));
+    let trait_item =
+        (!model.actions.is_empty()).then(|| quote!(#[allow(missing_docs, dead_code, unused_variables)] #vis #item));
     quote! {
         #trait_item
 
@@ -185,19 +189,19 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
             };
             #vis const fn new() -> Self { Self {} }
             #recipe
-            #vis fn cycle(&mut self, inputs: &#inputs #now #calls) -> #outputs { loop {} }
+            #vis fn cycle(&mut self, inputs_: &#inputs #now #calls) -> #outputs { loop {} }
             #force
             #vis fn init(&mut self) {}
-            #vis fn is_active(&self, step: #step) -> #p::bool { loop {} }
+            #vis fn is_active(&self, step_: #step) -> #p::bool { loop {} }
             #vis fn active_steps(&self) -> #p::heapless::Vec<#step, 1> { loop {} }
             #vis fn situation(&self) -> #step { loop {} }
-            #vis fn is_exactly(&self, steps: &[#step]) -> #p::bool { loop {} }
+            #vis fn is_exactly(&self, steps_: &[#step]) -> #p::bool { loop {} }
             #vars
             #late
             #vis fn is_stable(&self) -> #p::bool { loop {} }
             #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> { loop {} }
-            #vis fn assumptions_hold(#of_recipe inputs: &#inputs) -> #p::bool { loop {} }
-            #vis const fn ticks(duration: #p::core::time::Duration) -> #p::Ticks { #p::Ticks::ZERO }
+            #vis fn assumptions_hold(#of_recipe inputs_: &#inputs) -> #p::bool { loop {} }
+            #vis const fn ticks(duration_: #p::core::time::Duration) -> #p::Ticks { #p::Ticks::ZERO }
         }
     }
 }
@@ -216,10 +220,10 @@ fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             impl #p::Forceable for #chart {
                 fn force(
                     &mut self,
-                    steps: &[#step],
-                    inputs: &#inputs,
-                    now: #p::Ticks,
-                    actions: &mut Self::Actions<'_>,
+                    steps_: &[#step],
+                    inputs_: &#inputs,
+                    now_: #p::Ticks,
+                    actions_: &mut Self::Actions<'_>,
                 ) -> #p::Result<#outputs, #p::ForceError<#step>> {
                     loop {}
                 }
@@ -242,9 +246,9 @@ fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             const NAME: &'static #p::str = #name;
             const STEPS: &'static [#step] = &[#(#step::#all),*];
             const TRANSITIONS: &'static [#transition] = &[];
-            fn scan(&mut self, inputs: &#inputs, now: #p::Ticks, actions: &mut Self::Actions<'_>) -> #outputs { loop {} }
+            fn scan(&mut self, inputs_: &#inputs, now_: #p::Ticks, actions_: &mut Self::Actions<'_>) -> #outputs { loop {} }
             fn init(&mut self) {}
-            fn is_active(&self, step: #step) -> #p::bool { loop {} }
+            fn is_active(&self, step_: #step) -> #p::bool { loop {} }
             fn situation(&self) -> #step { loop {} }
         }
     }

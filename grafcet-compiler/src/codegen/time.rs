@@ -28,17 +28,17 @@ impl Cx<'_> {
         let p = &self.p;
         let regions = self.timed_regions().map(|region| {
             let since = names::step_time(region, self.plan);
-            quote!(self.#since = self.#since + elapsed;)
+            quote!(self.#since = self.#since + elapsed_;)
         });
         let macros = self.plan.memory.macro_times.iter().map(|id| {
             let since = names::macro_time(*id);
-            quote!(self.#since = self.#since + elapsed;)
+            quote!(self.#since = self.#since + elapsed_;)
         });
         let phases = self.plan.memory.phases.iter().enumerate().map(|(index, phase)| {
             let (field, period) = (names::phase(index), phase.period);
-            quote!(self.#field = #p::phase(self.#field, elapsed, #p::Ticks::new(#period));)
+            quote!(self.#field = #p::phase(self.#field, elapsed_, #p::Ticks::new(#period));)
         });
-        let since = quote!(now.since(self.now));
+        let since = quote!(now_.since(self.now));
         let elapsed = if self.counts_in_first() {
             let first = self.first();
             quote!(if #first { #p::Ticks::ZERO } else { #since })
@@ -46,8 +46,8 @@ impl Cx<'_> {
             since
         };
         quote! {
-            let elapsed = #elapsed;
-            self.now = now;
+            let elapsed_ = #elapsed;
+            self.now = now_;
             #(#regions)* #(#macros)* #(#phases)*
         }
     }
@@ -195,11 +195,11 @@ impl Cx<'_> {
         let sampled = self.samples().into_iter().filter_map(|sample| {
             let (id, rising, falling) = *late.iter().find(|(id, ..)| sample == Sample::Edge(*id))?;
             let (field, value) = (names::late_edge(id, None), self.value(&self.model.edges[id].of, Moment::Late));
-            let none = (rising && falling).then(|| quote!(&&!first));
+            let none = (rising && falling).then(|| quote!(&&!first_));
             let [up, down] = [true, false].map(|side| names::late_edge(id, Some(side)));
-            let up = rising.then(|| quote!(let #up = value && !self.#field #none;));
-            let down = falling.then(|| quote!(let #down = !value && self.#field #none;));
-            Some(quote!(let value: #p::bool = #value; #up #down self.#field = value;))
+            let up = rising.then(|| quote!(let #up = value_ && !self.#field #none;));
+            let down = falling.then(|| quote!(let #down = !value_ && self.#field #none;));
+            Some(quote!(let value_: #p::bool = #value; #up #down self.#field = value_;))
         });
         let sampled: TokenStream = sampled.tokens();
         let sides = late.iter().flat(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
@@ -277,19 +277,19 @@ impl Cx<'_> {
     }
 
     fn sample_delay(&self, id: DelayId) -> TokenStream {
-        let delay = &self.model.delays[id];
+        let (p, delay) = (&self.p, &self.model.delays[id]);
         let (field, value) = (names::delay_field(id), self.value(&delay.of, Moment::Sample));
         let (on, off) = (self.time(delay.on), self.time(delay.off));
         quote! {
-            let input = #value;
-            self.#field.update(input, #on, #off, elapsed);
+            let input_ = #value;
+            #p::Delay::update(&mut self.#field, input_, #on, #off, elapsed_);
         }
     }
 
     /// An edge, which is used up by that.
     fn sample_edge(&self, id: EdgeId, none: &TokenStream) -> TokenStream {
         let (look, field) = (self.look_at_edge(id, none), names::edge_field(id));
-        quote!(#look self.#field = value;)
+        quote!(#look self.#field = value_;)
     }
 
     fn look_at_edge(&self, id: EdgeId, none: &TokenStream) -> TokenStream {
@@ -300,10 +300,10 @@ impl Cx<'_> {
         let sides = used.into_iter().flat(|(_, rising, falling)| [(*rising, true), (*falling, false)]);
         let sides = sides.filter(|(used, _)| *used).map(|(_, is_rising)| {
             let local = names::edge_local(id, is_rising);
-            let edge = if is_rising { quote!(value && !self.#field) } else { quote!(!value && self.#field) };
+            let edge = if is_rising { quote!(value_ && !self.#field) } else { quote!(!value_ && self.#field) };
             quote!(#local = #edge #none;)
         });
-        quote!(let value: #p::bool = #value; #(#sides)*)
+        quote!(let value_: #p::bool = #value; #(#sides)*)
     }
 
     /// The locals that hold the edges.

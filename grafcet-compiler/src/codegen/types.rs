@@ -36,11 +36,12 @@ fn inputs(cx: &Cx<'_>) -> TokenStream {
     let derives = if default.is_some() { derives } else { derives.and("Default") }.attributes(model, p);
     let doc = format!("The process inputs of [`{}`], sampled once per cycle.", model.name);
     let constant = outside::default_inputs(model, name, p);
+    let item = place::item("struct", name, &model.name, &quote!(#(#fields)*));
     quote! {
         #[doc = #doc]
         #derives
         #levels
-        #vis struct #name { #(#fields)* }
+        #vis #item
 
         #written_out
         #default
@@ -86,12 +87,13 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
     // Processors without unaligned stores clear many single bytes through a call, words at once.
     let align = (model.outputs.len() > 4).then(|| quote!(#[repr(align(4))]));
+    let item = place::item("struct", name, &model.name, &quote!(#(#fields)*));
     quote! {
         #[doc = #doc]
         #derives
         #levels
         #align
-        #vis struct #name { #(#fields)* }
+        #vis #item
 
         #written_out
         #default
@@ -146,12 +148,13 @@ fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> To
     let unusual = unusual.then(|| quote!(#[allow(non_camel_case_types)]));
     let (vis, levels) = (&cx.model.vis, levels(cx.model));
     let derives = derives::of_names().attributes(cx.model, &cx.p);
+    let item = place::item("enum", name, &cx.model.name, &quote!(#variants));
     quote! {
         #[doc = #doc]
         #derives
         #unusual
         #levels
-        #vis enum #name { #variants }
+        #vis #item
     }
 }
 

@@ -30,7 +30,7 @@ fn check(cx: &Cx<'_>, variants: &Variants) -> TokenStream {
             let fields = quote_spanned!(located(variant.name.span())=> { .. });
             quote!(#path::#name #fields)
         });
-        let value = Ident::new("value", place(&variants.path));
+        let value = Ident::new("value_", place(&variants.path));
         let nothing = quote_spanned!(last=> => {});
         quote!(const _: fn(#ty) = |#value| match #value { #(#patterns)|* #nothing };)
     });
@@ -51,7 +51,7 @@ fn equality(variants: &Variants, path: &Path, index: usize, ty: &TokenStream) ->
     let rest = (variants.list.len() > 1).then(|| quote!(_ => {}));
     let constant = Ident::new("VARIANT", place(&variants.path));
     let item = quote_spanned!(place(&variants.path)=> const #constant: #ty = #path::#name;);
-    quote!(const _: fn(#ty) = |value| { #item match value { #constant => {} #rest } };)
+    quote!(const _: fn(#ty) = |value_| { #item match value_ { #constant => {} #rest } };)
 }
 
 /// Where the type stands, with the resolution of generated code.

@@ -26,7 +26,8 @@ pub fn ident(read: Read, at: Span) -> Option<Ident> {
             Blinker::Macro(id) => format!("macro_blink_{on}_{off}_{}", id.index()),
         },
     };
-    Some(Ident::new(&name, Span::mixed_site().located_at(at)))
+    // It is bound like a local of the generated code, so it ends as all of these do.
+    Some(Ident::new(&format!("{name}_"), Span::mixed_site().located_at(at)))
 }
 
 fn time_name(time: TimeRef) -> String {

@@ -19,6 +19,7 @@ pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
             error.report(sink);
             body.broken.push_all(recover::names(start));
             body.lost_step |= recover::may_be_step(start);
+            body.nameless_steps += usize::from(recover::is_nameless_step(start));
             recover::skip(&mut input, &start, Items::OfChart);
             body.lost.push_all(start.names_until(&input));
         }

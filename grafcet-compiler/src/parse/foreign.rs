@@ -20,13 +20,27 @@ pub(super) fn all(mut input: Input) -> Option<Error> {
     Error::several(notes)
 }
 
-/// `(* a comment *)`, as IEC 61131-3 writes it, which is reported and stepped over.
+/// `(* a comment *)`, as IEC 61131-3 writes it, and `# a comment`, which are reported and stepped over.
 pub(super) fn comments(input: &mut Input, sink: &mut Sink) {
-    let at_comment = |input: &Input| { *input }.enter(Delimiter::Parenthesis).is_some_and(|inside| inside.at("*"));
+    const MESSAGE: &str = "a comment is written `/* … */`, or `// …` to the end of the line";
+    let in_parentheses = |input: &Input| { *input }.enter(Delimiter::Parenthesis).is_some_and(|inside| inside.at("*"));
     let mut turns = Turns::default();
-    while turns.more(input) && at_comment(input) {
-        sink.notation(input.span(), "a comment is written `/* … */`, or `// …` to the end of the line");
-        input.bump();
+    while turns.more(input) {
+        let behind = input.next();
+        if in_parentheses(input) {
+            sink.notation(input.span(), MESSAGE);
+            input.bump();
+        } else if input.at("#") && (behind.word().is_some() || behind.literal().is_some()) {
+            sink.notation(input.span(), MESSAGE);
+            input.bump();
+            // Where the toolchain does not tell lines apart, to the end of the item.
+            let mut turns = Turns::default();
+            while turns.more(input) && !input.on_new_line() && !(input.at(";") && input.next().on_new_line()) {
+                input.bump();
+            }
+        } else {
+            return;
+        }
     }
 }
 
@@ -150,6 +164,8 @@ fn collect(input: &mut Input, notes: &mut Vec<(Mark, String)>, outermost: bool) 
     }
 }
 
+const IMPLIES: &str = "an implication is written `=>`: `always a => b;`; within a condition it is `!a || b`";
+
 /// The word or sign of another notation at `input`, as far as it reaches, and what to write in its place.
 fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
     let behind = input.next();
@@ -172,7 +188,20 @@ fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
         let unit = if unit == "min" { "m" } else { unit };
         return Some((behind.next(), format!("number and unit stand together: write `{number}{unit}`")));
     }
-    let signs: [(&str, bool, &str); 6] = [
+    if let (Some(number), true, Some(part)) =
+        (input.literal(), behind.at(".") && !behind.at(".."), behind.next().literal())
+    {
+        let time = format!("{number}.{part}");
+        if time.ends_with(['h', 'm', 's']) {
+            return Some((behind.next().next(), format!("`{time}` is no time: a number has one decimal point")));
+        }
+    }
+    let signs: [(&str, bool, &str); 11] = [
+        ("<==>", true, "that two conditions are the same is written `a == b`"),
+        ("<=>", true, "that two conditions are the same is written `a == b`"),
+        ("<->", true, "that two conditions are the same is written `a == b`"),
+        ("==>", true, IMPLIES),
+        ("-->", true, IMPLIES),
         ("<>", true, "`<>` is written `!=`"),
         ("=<", true, "`=<` is written `<=`"),
         (":=", true, "a condition compares with `==`"),

@@ -23,9 +23,12 @@ pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
     };
     let body = body::parse(inside, sink);
     if !input.is_empty() {
+        let nameless = input.at_word("plant") && input.next().at_group(Delimiter::Brace);
         let second = ["pub", "sfc", "grafcet", "#"].iter().any(|word| input.at_word(word) || input.at(word));
         let message = if second {
             "a macro call holds one chart; write a second `grafcet! { … }` for this one".to_owned()
+        } else if nameless {
+            "after `plant` stands its name: `plant Cylinder { … }`".to_owned()
         } else {
             format!("the chart ends with its `}}`; {} does not belong to it", input.found())
         };

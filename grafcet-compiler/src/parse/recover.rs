@@ -101,7 +101,7 @@ fn unexpected(input: &Input) -> Error {
     if ["after", "nach"].contains(&word.as_str()) && input.next().literal().is_some() {
         return input.error("an action that begins later has the qualifier `D` and its time in front: `D 5s q;`");
     }
-    if word == "implies" {
+    if word == "implies" || input.at("->") {
         return input.error("an implication is written `=>`: `always a => b;`");
     }
     input.error(format!("expected `;`, found {found}"))
@@ -180,6 +180,21 @@ fn attributes(input: &mut Input) {
     while input.eat("#") {
         input.enter(Delimiter::Bracket);
     }
+}
+
+/// Whether the item at `start`, which is broken, is a step without a name.
+pub(super) fn is_nameless_step(mut start: Input) -> bool {
+    attributes(&mut start);
+    let (mut is_step, mut turns) = (false, Turns::default());
+    while turns.more(&start) && !is_step {
+        match start.word().and_then(words::meant) {
+            Some("step") => is_step = true,
+            Some("initial" | "final" | "linked" | "entry" | "exit" | "macro" | "enclosing") => {}
+            _ => return false,
+        }
+        start.bump();
+    }
+    is_step && (start.at(";") || start.at_group(Delimiter::Brace) || start.at_word("within"))
 }
 
 /// Whether the item at `start`, which is broken, may have been a step.

@@ -63,6 +63,13 @@ pub(super) fn parse(input: &mut Input, literal: &Literal, sink: &mut Sink) -> Op
             let unit = input.eat_ident().map(|unit| unit.to_string()).unwrap_or_default();
             format!("number and unit stand together: write `{literal}{unit}`")
         }
+        None if input.at(".") && !input.at("..") && input.next().literal().is_some() => {
+            input.bump();
+            mark = mark.to(input.span());
+            let part = input.literal().map(ToString::to_string).unwrap_or_default();
+            input.bump();
+            format!("`{literal}.{part}` is no time: a number has one decimal point")
+        }
         None if literal.to_string().starts_with('"') => "a time is written without quotes, as in `5s`".to_owned(),
         None => format!("`{literal}` has no unit of time; the units are h, m, s, ms and us, as in `5s`"),
     };

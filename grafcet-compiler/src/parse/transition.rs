@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use super::input::Turns;
 use super::{Error, Input, Result, condition, target};
 use crate::ast::{Clearing, Condition, Transition};
 use crate::diagnostic::{Mark, Sink};
@@ -17,8 +18,14 @@ pub(super) fn parse(mut inside: Input, mark: Mark, sink: &mut Sink) -> Transitio
         error.report(sink);
         Condition::Broken
     });
-    // What follows a condition that is refused.
-    while !inside.at("=>") && inside.bump() {}
+    // What follows a condition that is refused, in which other arrows may stand: `a ==> b`.
+    let mut turns = Turns::default();
+    while turns.more(&inside) && !inside.at("=>") {
+        match ["==>", "<=>"].into_iter().find_map(|arrow| inside.behind(arrow)) {
+            Some(behind) => inside = behind,
+            None => _ = inside.bump(),
+        }
+    }
     let mut clearing = Vec::new();
     if inside.eat("=>") {
         self::clearing(&mut inside, &mut clearing, sink);

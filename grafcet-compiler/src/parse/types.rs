@@ -1,6 +1,7 @@
 //! Declared types, with an ear for those of IEC 61131-3.
 
-use proc_macro2::{Delimiter, Ident, Span};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::parse::Parse;
 use syn::{Lifetime, Type};
 
@@ -73,7 +74,22 @@ pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Ty> {
         input.enter(Delimiter::Bracket);
         return Ok(meant(ours, span));
     }
-    input.rust(Type::parse).map(Ty::Rust)
+    let ty = input.rust(Type::parse)?;
+    match self_in(ty.to_token_stream()) {
+        Some(word) => {
+            Err(Error::new(word, "`Self` is no type here, as a chart stands in no `impl`; write the name of the type"))
+        }
+        None => Ok(Ty::Rust(ty)),
+    }
+}
+
+/// Where a type says `Self`.
+fn self_in(tokens: TokenStream) -> Option<Span> {
+    tokens.into_iter().find_map(|token| match token {
+        TokenTree::Ident(word) => (word == "Self").then(|| word.span()),
+        TokenTree::Group(group) => self_in(group.stream()),
+        _ => None,
+    })
 }
 
 /// The type of a declaration: what a chart keeps has a size, and lives as long as it does.

@@ -134,7 +134,9 @@ impl Plainer<'_> {
                     out.extend(self.either(&all[at..end]));
                     at = end + 1;
                 }
-                "fault" | "choice" if matches!(all.get(at + 1), Some(TokenTree::Ident(_))) => {
+                "fault" | "choice"
+                    if matches!(all.get(at + 1), Some(TokenTree::Ident(_))) || is_sign(all.get(at + 1), ':') =>
+                {
                     self.names(&all[at..end], &word);
                     at = end + 1;
                 }
@@ -156,6 +158,10 @@ impl Plainer<'_> {
     /// `fault jammed, stuck;`
     fn names(&mut self, item: &[TokenTree], word: &str) {
         let mut rest = &item[1..];
+        if let [TokenTree::Punct(colon), behind @ ..] = rest {
+            self.sink.notation(colon.span(), format!("no `:` stands after `{word}`: `{word} jammed, stuck;`"));
+            rest = behind;
+        }
         while let [TokenTree::Ident(name), behind @ ..] = rest {
             let doc = format!(" A {word}: nobody drives it.");
             self.declare(name, &doc);

@@ -59,21 +59,21 @@ fn encoded<T: Serialize, const BYTES: usize>(value: &T) -> Option<[u8; BYTES]> {
 macro_rules! __recordable_by_serde {
     ($name:ty, $bytes:tt) => {
         impl $crate::record::Record for $name {
-            const BITS: usize = {
+            const BITS: $crate::record::names::usize = {
                 $crate::record::by_serde::asked::<$name>();
                 1 + 8 * $bytes
             };
 
-            fn write(&self, to: &mut $crate::record::Writer<'_>) {
-                $crate::record::by_serde::write::<$name, $bytes>(self, to);
+            fn write(&self, to_: &mut $crate::record::Writer<'_>) {
+                $crate::record::by_serde::write::<$name, $bytes>(self, to_);
             }
 
-            fn read(from: &mut $crate::record::Reader<'_>) -> ::core::option::Option<Self> {
-                $crate::record::by_serde::read::<$name, $bytes>(from)
+            fn read(from_: &mut $crate::record::Reader<'_>) -> $crate::record::names::Option<Self> {
+                $crate::record::by_serde::read::<$name, $bytes>(from_)
             }
 
-            fn is_same(&self, other: &Self) -> bool {
-                $crate::record::by_serde::is_same::<$name, $bytes>(self, other)
+            fn is_same(&self, other_: &Self) -> $crate::record::names::bool {
+                $crate::record::by_serde::is_same::<$name, $bytes>(self, other_)
             }
         }
     };

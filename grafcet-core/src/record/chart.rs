@@ -85,58 +85,58 @@ macro_rules! __recorded {
                     const BITS: __r::usize = __r::bits_for([$($number),*].len());
                     const IS_WORD: __r::bool = true;
                     #[inline]
-                    fn word(value: &$listed_ty) -> __r::u32 {
+                    fn word(value_: &$listed_ty) -> __r::u32 {
                         // Whether these are all variants, the chart asks itself, in the same words: rustc says it once.
-                        match value { $($($value)* { .. } => $number,)* _ => 0 }
+                        match value_ { $($($value)* { .. } => $number,)* _ => 0 }
                     }
-                    fn write(value: &$listed_ty, to: &mut __r::Writer<'_>) { to.put(Self::word(value), Self::BITS); }
-                    fn read(from: &mut __r::Reader<'_>) -> __r::Option<$listed_ty> {
-                        match from.take(Self::BITS)? {
+                    fn write(value_: &$listed_ty, to_: &mut __r::Writer<'_>) { to_.put(Self::word(value_), Self::BITS); }
+                    fn read(from_: &mut __r::Reader<'_>) -> __r::Option<$listed_ty> {
+                        match from_.take(Self::BITS)? {
                             $($number => __r::Option::Some($($value)* {}),)*
                             _ => __r::Option::None,
                         }
                     }
                     #[inline]
-                    fn is_same(one: &$listed_ty, other: &$listed_ty) -> __r::bool { Self::word(one) == Self::word(other) }
+                    fn is_same(one_: &$listed_ty, other_: &$listed_ty) -> __r::bool { Self::word(one_) == Self::word(other_) }
                 }
             )*
 
             impl __r::Record for $inputs where $(for<'chart> $foreign: $bound,)* {
                 const BITS: __r::usize = 0 $(+ <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::BITS)*;
-                fn write(&self, _to: &mut __r::Writer<'_>) { $(<$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::write(&self.$input, _to);)* }
-                fn read(_from: &mut __r::Reader<'_>) -> __r::Option<Self> {
-                    __r::Option::Some(Self { $($input: <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::read(_from)?,)* })
+                fn write(&self, _to_: &mut __r::Writer<'_>) { $(<$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::write(&self.$input, _to_);)* }
+                fn read(_from_: &mut __r::Reader<'_>) -> __r::Option<Self> {
+                    __r::Option::Some(Self { $($input: <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::read(_from_)?,)* })
                 }
                 #[inline]
-                fn is_same(&self, _other: &Self) -> __r::bool {
-                    true $(& <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::is_same(&self.$input, &_other.$input))*
+                fn is_same(&self, _other_: &Self) -> __r::bool {
+                    true $(& <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::is_same(&self.$input, &_other_.$input))*
                 }
                 const IS_WORD: __r::bool = Self::BITS <= 32 $(&& <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::IS_WORD)*;
                 #[inline]
                 fn word(&self) -> __r::u32 {
                     // A shift of 32 bits and more is one of a chart whose inputs are no word.
-                    let mut _word: __r::u32 = 0;
-                    let mut _at: __r::u32 = 0;
+                    let mut _word_: __r::u32 = 0;
+                    let mut _at_: __r::u32 = 0;
                     $(
-                        _word |= <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::word(&self.$input).wrapping_shl(_at);
-                        _at += <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::BITS as __r::u32;
+                        _word_ |= <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::word(&self.$input).wrapping_shl(_at_);
+                        _at_ += <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::BITS as __r::u32;
                     )*
-                    _word
+                    _word_
                 }
             }
 
             $(impl __r::Record for $params where for<'chart> $params: __r::Copy, $(for<'chart> $needs: $needed,)* {
                 const BITS: __r::usize = 0 $(+ <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::BITS)*;
-                fn write(&self, _to: &mut __r::Writer<'_>) { $(<$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::write(&self.$param, _to);)* }
-                fn read(_from: &mut __r::Reader<'_>) -> __r::Option<Self> {
-                    let params = Self { $($param: <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::read(_from)?,)* };
-                    $(if params.$out_of_range().is_some() {
+                fn write(&self, _to_: &mut __r::Writer<'_>) { $(<$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::write(&self.$param, _to_);)* }
+                fn read(_from_: &mut __r::Reader<'_>) -> __r::Option<Self> {
+                    let params_ = Self { $($param: <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::read(_from_)?,)* };
+                    $(if __r::Option::is_some(&params_.$out_of_range()) {
                         return __r::Option::None;
                     })?
-                    __r::Option::Some(params)
+                    __r::Option::Some(params_)
                 }
-                fn is_same(&self, _other: &Self) -> __r::bool {
-                    true $(&& <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::is_same(&self.$param, &_other.$param))*
+                fn is_same(&self, _other_: &Self) -> __r::bool {
+                    true $(&& <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::is_same(&self.$param, &_other_.$param))*
                 }
             })?
 
@@ -150,26 +150,26 @@ macro_rules! __recorded {
                 const PARAM_BITS: __r::usize = 0 $(+ <$params as __r::Record>::BITS)?;
                 const STATE_BITS: __r::usize =
                     0 $(+ <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::BITS)* $($(+ $crate::__recorded_clock!(bits $began))*)?;
-                fn write_params(&self, _to: &mut __r::Writer<'_>) {
-                    $(<$params as __r::Record>::write(&self.params, _to);)?
+                fn write_params(&self, _to_: &mut __r::Writer<'_>) {
+                    $(<$params as __r::Record>::write(&self.params, _to_);)?
                 }
-                fn write_state(&self, _to: &mut __r::Writer<'_>) {
-                    $(<$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::write(&self.$field, _to);)*
-                    $($(__r::Record::write(&self.$clock.since(self.$began), _to);)*)?
+                fn write_state(&self, _to_: &mut __r::Writer<'_>) {
+                    $(<$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::write(&self.$field, _to_);)*
+                    $($(__r::Record::write(&self.$clock.since(self.$began), _to_);)*)?
                 }
-                fn read(_params: &mut __r::Reader<'_>, _state: &mut __r::Reader<'_>, _now: __r::Ticks) -> __r::Option<Self> {
+                fn read(_params_: &mut __r::Reader<'_>, _state_: &mut __r::Reader<'_>, _now_: __r::Ticks) -> __r::Option<Self> {
                     __r::Option::Some(Self {
-                        $(params: <$params as __r::Record>::read(_params)?,)?
-                        $($field: <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::read(_state)?,)*
-                        $($($began: _now.since(<__r::Ticks as __r::Record>::read(_state)?),)*)?
-                        $($clock: _now,)?
+                        $(params: <$params as __r::Record>::read(_params_)?,)?
+                        $($field: <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::read(_state_)?,)*
+                        $($($began: _now_.since(<__r::Ticks as __r::Record>::read(_state_)?),)*)?
+                        $($clock: _now_,)?
                     })
                 }
                 fn begun_anew(&self) -> Self { $crate::__recorded_new!(self $($params)?) }
-                fn is_same_state(&self, _other: &Self) -> __r::bool {
-                    true $(&& <$params as __r::Record>::is_same(&self.params, &_other.params))?
-                        $(&& <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::is_same(&self.$field, &_other.$field))*
-                        $($(&& self.$clock.since(self.$began) == _other.$clock.since(_other.$began))*)?
+                fn is_same_state(&self, _other_: &Self) -> __r::bool {
+                    true $(&& <$params as __r::Record>::is_same(&self.params, &_other_.params))?
+                        $(&& <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::is_same(&self.$field, &_other_.$field))*
+                        $($(&& self.$clock.since(self.$began) == _other_.$clock.since(_other_.$began))*)?
                 }
                 fn reading(&self) -> __r::Ticks { $crate::__recorded_clock!(reading self $($clock)?) }
                 fn wakes_at(&self) -> __r::Option<__r::Ticks> { $crate::__recorded_clock!(deadline self $($clock)?) }
@@ -249,9 +249,9 @@ macro_rules! __recorded_new {
         Self::new()
     };
     ($chart:ident $params:ident) => {{
-        let mut new = Self::new();
-        new.params = $chart.params;
-        new
+        let mut new_ = Self::new();
+        new_.params = $chart.params;
+        new_
     }};
 }
 
@@ -289,28 +289,28 @@ macro_rules! __recorded_states {
     ($state:ident { $($variant:ident)* }) => {
         impl __r::Record for $state {
             const BITS: __r::usize = __r::bits_for([$(Self::$variant),*].len());
-            fn write(&self, to: &mut __r::Writer<'_>) { to.put(*self as __r::u32, Self::BITS); }
-            fn read(from: &mut __r::Reader<'_>) -> __r::Option<Self> {
+            fn write(&self, to_: &mut __r::Writer<'_>) { to_.put(*self as __r::u32, Self::BITS); }
+            fn read(from_: &mut __r::Reader<'_>) -> __r::Option<Self> {
                 const ALL: &[$state] = &[$($state::$variant),*];
-                ALL.get(from.take(Self::BITS)? as __r::usize).copied()
+                ALL.get(from_.take(Self::BITS)? as __r::usize).copied()
             }
             #[inline]
-            fn is_same(&self, other: &Self) -> __r::bool { *self == *other }
+            fn is_same(&self, other_: &Self) -> __r::bool { *self == *other_ }
         }
     };
     ($marked:ident $state:ident {}) => {
         impl __r::Record for $marked {
             const BITS: __r::usize = <$state as __r::Record>::BITS + 1;
-            fn write(&self, to: &mut __r::Writer<'_>) {
-                __r::Record::write(&self.state(), to);
-                __r::Record::write(&self.is_marked(), to);
+            fn write(&self, to_: &mut __r::Writer<'_>) {
+                __r::Record::write(&self.state(), to_);
+                __r::Record::write(&self.is_marked(), to_);
             }
-            fn read(from: &mut __r::Reader<'_>) -> __r::Option<Self> {
-                let state = Self::of(<$state as __r::Record>::read(from)?);
-                __r::Option::Some(if <__r::bool as __r::Record>::read(from)? { state.marked() } else { state })
+            fn read(from_: &mut __r::Reader<'_>) -> __r::Option<Self> {
+                let state_ = Self::of(<$state as __r::Record>::read(from_)?);
+                __r::Option::Some(if <__r::bool as __r::Record>::read(from_)? { state_.marked() } else { state_ })
             }
             #[inline]
-            fn is_same(&self, other: &Self) -> __r::bool { *self == *other }
+            fn is_same(&self, other_: &Self) -> __r::bool { *self == *other_ }
         }
     };
 }

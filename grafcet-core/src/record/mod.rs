@@ -46,10 +46,12 @@ pub use value::Record;
 #[doc(hidden)]
 pub mod names {
     pub use core::marker::Copy;
+    pub use core::mem::discriminant;
     pub use core::option::Option;
     pub use core::primitive::{bool, u32, usize};
 
     pub use super::coding::{Coding, Optional, Own};
+    pub use super::value::number_in;
     pub use super::{Reader, Record, Recordable, Writer, bits_for};
     pub use crate::{Possible, Ticks};
 }

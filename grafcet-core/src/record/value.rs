@@ -61,6 +61,12 @@ impl Record for bool {
     }
 }
 
+/// How many values of a list stand in front of one.
+#[doc(hidden)]
+pub fn number_in<T: Record>(all: &[T], value: &T) -> u32 {
+    all.iter().take_while(|other| !other.is_same(value)).fold(0, |number, _| number + 1)
+}
+
 /// Numbers as they are in memory, the lowest byte first.
 macro_rules! numbers {
     ($($number:ty as $bits:ty: $to:expr, $from:expr;)*) => {$(
@@ -246,22 +252,21 @@ macro_rules! recordable {
     };
     ($name:ty { $($variant:ident),* $(,)? }) => {
         impl $crate::record::Record for $name {
-            const BITS: usize = $crate::record::bits_for([$(<$name>::$variant),*].len());
+            const BITS: $crate::record::names::usize = $crate::record::bits_for([$(<$name>::$variant),*].len());
 
-            fn write(&self, to: &mut $crate::record::Writer<'_>) {
+            fn write(&self, to_: &mut $crate::record::Writer<'_>) {
                 // A variant that is not listed is an error here.
                 match self { $(<$name>::$variant => {})* }
-                let before = [$(<$name>::$variant),*].into_iter().take_while(|variant| !variant.is_same(self));
-                to.put(before.fold(0, |index, _| index + 1), Self::BITS);
+                to_.put($crate::record::names::number_in(&[$(<$name>::$variant),*], self), Self::BITS);
             }
 
-            fn read(from: &mut $crate::record::Reader<'_>) -> ::core::option::Option<Self> {
-                let index = from.take(Self::BITS)?;
-                [$(<$name>::$variant),*].get(index as usize).copied()
+            fn read(from_: &mut $crate::record::Reader<'_>) -> $crate::record::names::Option<Self> {
+                let index_ = from_.take(Self::BITS)?;
+                <[_]>::get(&[$(<$name>::$variant),*], index_ as $crate::record::names::usize).copied()
             }
 
-            fn is_same(&self, other: &Self) -> bool {
-                ::core::mem::discriminant(self) == ::core::mem::discriminant(other)
+            fn is_same(&self, other_: &Self) -> $crate::record::names::bool {
+                $crate::record::names::discriminant(self) == $crate::record::names::discriminant(other_)
             }
         }
     };

@@ -13,7 +13,7 @@ impl Sorter {
     pub const fn new() -> Self {
         Self::with_params(SorterParams::new())
     }
-    pub const fn with_params(params: SorterParams) -> Self {
+    pub const fn with_params(params_: SorterParams) -> Self {
         Self {
             first: true,
             situation: __SorterState::Feed,
@@ -21,96 +21,96 @@ impl Sorter {
             keep: false,
             reject: false,
             z: false,
-            params,
+            params: params_,
         }
     }
 }
 impl Sorter {
-    pub fn cycle(&mut self, inputs: &SorterInputs) -> SorterOutputs {
-        let mut outputs = const {
+    pub fn cycle(&mut self, inputs_: &SorterInputs) -> SorterOutputs {
+        let mut outputs_ = const {
             SorterOutputs {
                 feed: false,
                 keep: false,
                 reject: false,
             }
         };
-        let was_state: __SorterState = self.situation;
-        let entered_feed: bool;
-        let mut entered_measure: bool = false;
+        let was_state_: __SorterState = self.situation;
+        let entered_feed_: bool;
+        let mut entered_measure_: bool = false;
         if self.first {
-            entered_feed = true;
+            entered_feed_ = true;
         } else {
-            let clears_feed_measure: bool = was_state
-                == __SorterState::Feed && inputs.piece;
-            let clears_measure_keep: bool = was_state
+            let clears_feed_measure_: bool = was_state_
+                == __SorterState::Feed && inputs_.piece;
+            let clears_measure_keep_: bool = was_state_
                 == __SorterState::Measure
                 && ({
                     let z = self.z;
                     z
                 });
-            let clears_keep_feed: bool = was_state
-                == __SorterState::Keep && (!inputs.piece);
-            let clears_measure_reject: bool = was_state
-                == __SorterState::Measure && !clears_measure_keep
+            let clears_keep_feed_: bool = was_state_
+                == __SorterState::Keep && (!inputs_.piece);
+            let clears_measure_reject_: bool = was_state_
+                == __SorterState::Measure && !clears_measure_keep_
                 && ({
                     let z = self.z;
                     !z
                 });
-            let clears_reject_feed: bool = was_state
-                == __SorterState::Reject && (!inputs.piece);
-            let left_feed: bool = clears_feed_measure;
-            let left_measure: bool = clears_measure_keep
-                || clears_measure_reject;
-            let left_keep: bool = clears_keep_feed;
-            let left_reject: bool = clears_reject_feed;
-            entered_feed = (clears_keep_feed || clears_reject_feed)
-                && !(was_state == __SorterState::Feed && !left_feed);
-            entered_measure = clears_feed_measure
-                && !(was_state == __SorterState::Measure && !left_measure);
-            let entered_keep: bool = clears_measure_keep
-                && !(was_state == __SorterState::Keep && !left_keep);
-            let entered_reject: bool = clears_measure_reject
-                && !(was_state == __SorterState::Reject && !left_reject);
-            if left_feed {
+            let clears_reject_feed_: bool = was_state_
+                == __SorterState::Reject && (!inputs_.piece);
+            let left_feed_: bool = clears_feed_measure_;
+            let left_measure_: bool = clears_measure_keep_
+                || clears_measure_reject_;
+            let left_keep_: bool = clears_keep_feed_;
+            let left_reject_: bool = clears_reject_feed_;
+            entered_feed_ = (clears_keep_feed_ || clears_reject_feed_)
+                && !(was_state_ == __SorterState::Feed && !left_feed_);
+            entered_measure_ = clears_feed_measure_
+                && !(was_state_ == __SorterState::Measure && !left_measure_);
+            let entered_keep_: bool = clears_measure_keep_
+                && !(was_state_ == __SorterState::Keep && !left_keep_);
+            let entered_reject_: bool = clears_measure_reject_
+                && !(was_state_ == __SorterState::Reject && !left_reject_);
+            if left_feed_ {
                 self.situation = __SorterState::NONE;
             }
-            if left_measure {
+            if left_measure_ {
                 self.situation = __SorterState::NONE;
             }
-            if left_keep {
+            if left_keep_ {
                 self.situation = __SorterState::NONE;
             }
-            if left_reject {
+            if left_reject_ {
                 self.situation = __SorterState::NONE;
             }
-            if entered_feed {
+            if entered_feed_ {
                 self.situation = __SorterState::Feed;
             }
-            if entered_measure {
+            if entered_measure_ {
                 self.situation = __SorterState::Measure;
             }
-            if entered_keep {
+            if entered_keep_ {
                 self.situation = __SorterState::Keep;
             }
-            if entered_reject {
+            if entered_reject_ {
                 self.situation = __SorterState::Reject;
             }
         }
-        let on_feed_0_: bool = self.situation
+        let on_feed_0__: bool = self.situation
             == __SorterState::Feed;
-        let on_measure_1_: bool = entered_measure;
-        let on_keep_2_: bool = self.situation
+        let on_measure_1__: bool = entered_measure_;
+        let on_keep_2__: bool = self.situation
             == __SorterState::Keep;
-        let on_reject_3_: bool = self.situation
+        let on_reject_3__: bool = self.situation
             == __SorterState::Reject;
-        let q_feed: bool = on_feed_0_;
-        let q_measure_1_: bool = false;
-        let q_keep: bool = on_keep_2_;
-        let q_reject: bool = on_reject_3_;
-        if on_measure_1_ {
+        let q_feed_: bool = on_feed_0__;
+        let q_measure_1__: bool = false;
+        let q_keep_: bool = on_keep_2__;
+        let q_reject_: bool = on_reject_3__;
+        if on_measure_1__ {
             self.z = {
                 #[allow(unused_variables)]
-                let length = inputs.length;
+                let length = inputs_.length;
                 #[allow(unused_variables)]
                 let nominal = self.params.nominal;
                 #[allow(unused_variables)]
@@ -118,13 +118,13 @@ impl Sorter {
                 length.abs_diff(nominal) <= tolerance
             };
         }
-        self.feed = q_feed;
-        self.keep = q_keep;
-        self.reject = q_reject;
+        self.feed = q_feed_;
+        self.keep = q_keep_;
+        self.reject = q_reject_;
         self.first = false;
-        outputs.feed = self.feed;
-        outputs.keep = self.keep;
-        outputs.reject = self.reject;
-        outputs
+        outputs_.feed = self.feed;
+        outputs_.keep = self.keep;
+        outputs_.reject = self.reject;
+        outputs_
     }
 }

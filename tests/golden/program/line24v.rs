@@ -19,82 +19,82 @@ impl Line24V {
     }
 }
 impl Line24V {
-    pub fn cycle(&mut self, inputs: &Line24VInputs) -> Line24VOutputs {
-        let mut outputs = const {
+    pub fn cycle(&mut self, inputs_: &Line24VInputs) -> Line24VOutputs {
+        let mut outputs_ = const {
             Line24VOutputs {
                 q1: false,
                 q2: false,
                 q3: false,
             }
         };
-        let mut was_state: __Line24VState = __Line24VState::S1;
-        let mut evolutions: u32 = 0;
+        let mut was_state_: __Line24VState = __Line24VState::S1;
+        let mut evolutions_: u32 = 0;
         loop {
-            was_state = self.situation.state();
-            let clears_s1_s2_: bool = was_state
-                == __Line24VState::S1 && inputs.b1;
-            let clears_s2_s3_: bool = was_state
-                == __Line24VState::S2 && inputs.b2;
-            let clears_s3_s4_: bool = was_state
-                == __Line24VState::S3 && inputs.b3;
-            let clears_s4_s1_: bool = was_state
-                == __Line24VState::S4 && inputs.b4;
-            if clears_s1_s2_ {
+            was_state_ = self.situation.state();
+            let clears_s1_s2__: bool = was_state_
+                == __Line24VState::S1 && inputs_.b1;
+            let clears_s2_s3__: bool = was_state_
+                == __Line24VState::S2 && inputs_.b2;
+            let clears_s3_s4__: bool = was_state_
+                == __Line24VState::S3 && inputs_.b3;
+            let clears_s4_s1__: bool = was_state_
+                == __Line24VState::S4 && inputs_.b4;
+            if clears_s1_s2__ {
                 self.situation = self.situation.with(__Line24VState::NONE);
             }
-            if clears_s2_s3_ {
+            if clears_s2_s3__ {
                 self.situation = self.situation.with(__Line24VState::NONE);
             }
-            if clears_s3_s4_ {
+            if clears_s3_s4__ {
                 self.situation = self.situation.with(__Line24VState::NONE);
             }
-            if clears_s4_s1_ {
+            if clears_s4_s1__ {
                 self.situation = self.situation.with(__Line24VState::NONE);
             }
-            if clears_s4_s1_ {
+            if clears_s4_s1__ {
                 self.situation = self.situation.with(__Line24VState::S1);
             }
-            if clears_s1_s2_ {
+            if clears_s1_s2__ {
                 self.situation = self.situation.with(__Line24VState::S2);
             }
-            if clears_s2_s3_ {
+            if clears_s2_s3__ {
                 self.situation = self.situation.with(__Line24VState::S3);
             }
-            if clears_s3_s4_ {
+            if clears_s3_s4__ {
                 self.situation = self.situation.with(__Line24VState::S4);
             }
-            let mut next_q2_: bool = self.q2_;
-            if was_state != __Line24VState::S2
+            let mut next_q2__: bool = self.q2_;
+            if was_state_ != __Line24VState::S2
                 && self.situation.state() == __Line24VState::S2
             {
-                next_q2_ = true;
+                next_q2__ = true;
             }
-            if was_state != __Line24VState::S4
+            if was_state_ != __Line24VState::S4
                 && self.situation.state() == __Line24VState::S4
             {
-                next_q2_ = false;
+                next_q2__ = false;
             }
-            if !(was_state != self.situation.state() || self.q2_ != next_q2_) {
+            if !(was_state_ != self.situation.state() || self.q2_ != next_q2__) {
                 self.situation = self.situation.unmarked();
                 break;
             }
-            if evolutions == 10 {
+            if evolutions_ == 10 {
                 self.situation = self.situation.marked();
-                self.situation = self.situation.with(was_state);
+                self.situation = self.situation.with(was_state_);
                 break;
             }
-            self.q2_ = next_q2_;
-            evolutions = evolutions.wrapping_add(1);
+            self.q2_ = next_q2__;
+            evolutions_ = evolutions_.wrapping_add(1);
         }
-        let next_q1_: bool = was_state == __Line24VState::S1;
-        let next_q3_: bool = was_state == __Line24VState::S3
-            && inputs.b5;
-        self.q1_ = next_q1_;
-        self.q3_ = next_q3_;
+        let next_q1__: bool = was_state_ == __Line24VState::S1;
+        let next_q3__: bool = was_state_ == __Line24VState::S3
+            && inputs_.b5;
+        self.q1_ = next_q1__;
+        self.q3_ = next_q3__;
         self.first = false;
-        outputs.q1 = self.q1_;
-        outputs.q2 = self.q2_;
-        outputs.q3 = self.q3_;
-        outputs
+        outputs_.q1 = self.q1_;
+        outputs_.q2 = self.q2_;
+        outputs_.q3 = self.q3_;
+        outputs_
     }
 }

@@ -19,55 +19,55 @@ impl Motor {
     }
 }
 impl Motor {
-    pub fn cycle(&mut self, inputs: &MotorInputs) -> MotorOutputs {
-        let mut outputs = const {
+    pub fn cycle(&mut self, inputs_: &MotorInputs) -> MotorOutputs {
+        let mut outputs_ = const {
             MotorOutputs {
                 relay: false,
                 green: false,
                 red: false,
             }
         };
-        let was_state: __MotorState = self.situation;
-        let entered_off: bool;
+        let was_state_: __MotorState = self.situation;
+        let entered_off_: bool;
         if self.first {
-            entered_off = true;
+            entered_off_ = true;
         } else {
-            let clears_off_on: bool = was_state
-                == __MotorState::Off && (inputs.on && !inputs.over_temp);
-            let clears_on_off: bool = was_state == __MotorState::On
-                && (inputs.off || inputs.over_temp);
-            let left_off: bool = clears_off_on;
-            let left_on: bool = clears_on_off;
-            entered_off = clears_on_off
-                && !(was_state == __MotorState::Off && !left_off);
-            let entered_on: bool = clears_off_on
-                && !(was_state == __MotorState::On && !left_on);
-            if left_off {
+            let clears_off_on_: bool = was_state_
+                == __MotorState::Off && (inputs_.on && !inputs_.over_temp);
+            let clears_on_off_: bool = was_state_
+                == __MotorState::On && (inputs_.off || inputs_.over_temp);
+            let left_off_: bool = clears_off_on_;
+            let left_on_: bool = clears_on_off_;
+            entered_off_ = clears_on_off_
+                && !(was_state_ == __MotorState::Off && !left_off_);
+            let entered_on_: bool = clears_off_on_
+                && !(was_state_ == __MotorState::On && !left_on_);
+            if left_off_ {
                 self.situation = __MotorState::NONE;
             }
-            if left_on {
+            if left_on_ {
                 self.situation = __MotorState::NONE;
             }
-            if entered_off {
+            if entered_off_ {
                 self.situation = __MotorState::Off;
             }
-            if entered_on {
+            if entered_on_ {
                 self.situation = __MotorState::On;
             }
         }
-        let on_off_0_: bool = self.situation == __MotorState::Off;
-        let on_on_1_: bool = self.situation == __MotorState::On;
-        let on_on_2_: bool = self.situation == __MotorState::On;
-        let q_red: bool = on_off_0_;
-        let q_relay: bool = on_on_1_;
-        let q_green: bool = on_on_2_;
-        self.red = q_red;
-        self.relay = q_relay;
-        self.green = q_green;
+        let on_off_0__: bool = self.situation == __MotorState::Off;
+        let on_on_1__: bool = self.situation == __MotorState::On;
+        let on_on_2__: bool = self.situation == __MotorState::On;
+        let q_red_: bool = on_off_0__;
+        let q_relay_: bool = on_on_1__;
+        let q_green_: bool = on_on_2__;
+        self.red = q_red_;
+        self.relay = q_relay_;
+        self.green = q_green_;
         self.first = false;
-        outputs.relay = self.relay;
-        outputs.green = self.green;
-        outputs.red = self.red;
-        outputs
+        outputs_.relay = self.relay;
+        outputs_.green = self.green;
+        outputs_.red = self.red;
+        outputs_
     }
 }

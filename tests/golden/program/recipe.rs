@@ -25,7 +25,7 @@ impl Dyer {
     pub const fn new() -> Self {
         Self::with_params(DyerParams::new())
     }
-    pub const fn with_params(params: DyerParams) -> Self {
+    pub const fn with_params(params_: DyerParams) -> Self {
         Self {
             first: true,
             situation: __DyerState::Idle,
@@ -45,181 +45,190 @@ impl Dyer {
             held_wash_3_: false,
             held_dye_5_: false,
             held_drain_7_: false,
-            params,
+            params: params_,
         }
     }
 }
 impl Dyer {
     pub fn cycle(
         &mut self,
-        inputs: &DyerInputs,
-        now: impl core::convert::Into<Ticks>,
-        actions: &mut (impl DyerActions + ?core::marker::Sized),
+        inputs_: &DyerInputs,
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        actions_: &mut (impl DyerActions + ?core::marker::Sized),
     ) -> DyerOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = const {
+        let mut outputs_ = const {
             DyerOutputs {
                 inlet: false,
                 outlet: false,
                 ready: false,
             }
         };
-        let elapsed: Ticks = if self.first {
+        let elapsed_: Ticks = if self.first {
             Ticks::ZERO
         } else {
-            now.since(self.reading)
+            now_.since(self.reading)
         };
-        self.reading = now;
-        self.time = self.time + elapsed;
-        let was_state: __DyerState = self.situation;
-        let edge0_now: bool = inputs.start;
+        self.reading = now_;
+        self.time = self.time + elapsed_;
+        let was_state_: __DyerState = self.situation;
+        let edge0_now_: bool = inputs_.start;
         if self.first {
-            self.edge0_before = edge0_now;
+            self.edge0_before = edge0_now_;
         }
-        let mut clears_idle_fill: bool = false;
-        let mut clears_fill_wash: bool = false;
-        let mut clears_wash_dye: bool = false;
-        let mut clears_dye_drain: bool = false;
-        let mut clears_drain_idle: bool = false;
-        let entered_idle: bool;
-        let mut entered_fill: bool = false;
-        let mut entered_wash: bool = false;
-        let mut entered_dye: bool = false;
-        let mut entered_drain: bool = false;
+        let mut clears_idle_fill_: bool = false;
+        let mut clears_fill_wash_: bool = false;
+        let mut clears_wash_dye_: bool = false;
+        let mut clears_dye_drain_: bool = false;
+        let mut clears_drain_idle_: bool = false;
+        let entered_idle_: bool;
+        let mut entered_fill_: bool = false;
+        let mut entered_wash_: bool = false;
+        let mut entered_dye_: bool = false;
+        let mut entered_drain_: bool = false;
         if self.first {
-            entered_idle = true;
+            entered_idle_ = true;
         } else {
-            clears_idle_fill = was_state == __DyerState::Idle
+            clears_idle_fill_ = was_state_ == __DyerState::Idle
                 && ({
-                    let rising_0 = !self.edge0_before && edge0_now;
-                    rising_0
+                    let rising_0_ = !self.edge0_before && edge0_now_;
+                    rising_0_
                 });
-            clears_fill_wash = was_state == __DyerState::Fill && inputs.full;
-            clears_wash_dye = was_state == __DyerState::Wash
+            clears_fill_wash_ = was_state_ == __DyerState::Fill && inputs_.full;
+            clears_wash_dye_ = was_state_ == __DyerState::Wash
                 && ({
-                    let temperature = inputs.temperature;
+                    let temperature = inputs_.temperature;
                     let wash_at = self.params.wash_at;
-                    let elapsed_param_1_2 = was_state == __DyerState::Wash
+                    let elapsed_param_1_2_ = was_state_ == __DyerState::Wash
                         && self.time >= self.params.wash;
-                    temperature >= wash_at && elapsed_param_1_2
+                    temperature >= wash_at && elapsed_param_1_2_
                 });
-            clears_dye_drain = was_state == __DyerState::Dye
+            clears_dye_drain_ = was_state_ == __DyerState::Dye
                 && ({
-                    let temperature = inputs.temperature;
+                    let temperature = inputs_.temperature;
                     let dye_at = self.params.dye_at;
-                    let elapsed_param_4_3 = was_state == __DyerState::Dye
+                    let elapsed_param_4_3_ = was_state_ == __DyerState::Dye
                         && self.time >= self.params.dye;
-                    temperature >= dye_at && elapsed_param_4_3
+                    temperature >= dye_at && elapsed_param_4_3_
                 });
-            clears_drain_idle = was_state == __DyerState::Drain && inputs.empty;
-            let left_idle: bool = clears_idle_fill;
-            let left_fill: bool = clears_fill_wash;
-            let left_wash: bool = clears_wash_dye;
-            let left_dye: bool = clears_dye_drain;
-            let left_drain: bool = clears_drain_idle;
-            entered_idle = clears_drain_idle
-                && !(was_state == __DyerState::Idle && !left_idle);
-            entered_fill = clears_idle_fill
-                && !(was_state == __DyerState::Fill && !left_fill);
-            entered_wash = clears_fill_wash
-                && !(was_state == __DyerState::Wash && !left_wash);
-            entered_dye = clears_wash_dye
-                && !(was_state == __DyerState::Dye && !left_dye);
-            entered_drain = clears_dye_drain
-                && !(was_state == __DyerState::Drain && !left_drain);
-            if left_idle {
+            clears_drain_idle_ = was_state_ == __DyerState::Drain && inputs_.empty;
+            let left_idle_: bool = clears_idle_fill_;
+            let left_fill_: bool = clears_fill_wash_;
+            let left_wash_: bool = clears_wash_dye_;
+            let left_dye_: bool = clears_dye_drain_;
+            let left_drain_: bool = clears_drain_idle_;
+            entered_idle_ = clears_drain_idle_
+                && !(was_state_ == __DyerState::Idle && !left_idle_);
+            entered_fill_ = clears_idle_fill_
+                && !(was_state_ == __DyerState::Fill && !left_fill_);
+            entered_wash_ = clears_fill_wash_
+                && !(was_state_ == __DyerState::Wash && !left_wash_);
+            entered_dye_ = clears_wash_dye_
+                && !(was_state_ == __DyerState::Dye && !left_dye_);
+            entered_drain_ = clears_dye_drain_
+                && !(was_state_ == __DyerState::Drain && !left_drain_);
+            if left_idle_ {
                 self.situation = __DyerState::NONE;
             }
-            if left_fill {
+            if left_fill_ {
                 self.situation = __DyerState::NONE;
             }
-            if left_wash {
+            if left_wash_ {
                 self.situation = __DyerState::NONE;
             }
-            if left_dye {
+            if left_dye_ {
                 self.situation = __DyerState::NONE;
             }
-            if left_drain {
+            if left_drain_ {
                 self.situation = __DyerState::NONE;
             }
-            if entered_idle {
+            if entered_idle_ {
                 self.situation = __DyerState::Idle;
             }
-            if entered_fill {
+            if entered_fill_ {
                 self.situation = __DyerState::Fill;
             }
-            if entered_wash {
+            if entered_wash_ {
                 self.situation = __DyerState::Wash;
             }
-            if entered_dye {
+            if entered_dye_ {
                 self.situation = __DyerState::Dye;
             }
-            if entered_drain {
+            if entered_drain_ {
                 self.situation = __DyerState::Drain;
             }
         }
-        let reached_time: Ticks = self.time;
-        if entered_idle || entered_fill || entered_wash || entered_dye || entered_drain {
+        let reached_time_: Ticks = self.time;
+        if entered_idle_ || entered_fill_ || entered_wash_ || entered_dye_
+            || entered_drain_
+        {
             self.time = Ticks::ZERO;
         }
-        let on_idle_0_: bool = self.situation == __DyerState::Idle;
-        let on_fill_1_: bool = self.situation == __DyerState::Fill;
-        let on_wash_2_: bool = self.situation == __DyerState::Wash;
-        let on_wash_3_: bool = self.situation == __DyerState::Wash;
-        let on_dye_4_: bool = self.situation == __DyerState::Dye;
-        let on_dye_5_: bool = self.situation == __DyerState::Dye;
-        let on_drain_6_: bool = self.situation
+        let on_idle_0__: bool = self.situation
+            == __DyerState::Idle;
+        let on_fill_1__: bool = self.situation
+            == __DyerState::Fill;
+        let on_wash_2__: bool = self.situation
+            == __DyerState::Wash;
+        let on_wash_3__: bool = self.situation
+            == __DyerState::Wash;
+        let on_dye_4__: bool = self.situation == __DyerState::Dye;
+        let on_dye_5__: bool = self.situation == __DyerState::Dye;
+        let on_drain_6__: bool = self.situation
             == __DyerState::Drain;
-        let on_drain_7_: bool = self.situation
+        let on_drain_7__: bool = self.situation
             == __DyerState::Drain;
-        let q_ready: bool = on_idle_0_;
-        let q_inlet: bool = on_fill_1_;
-        let q_heat: bool = on_wash_2_ || on_dye_4_;
-        if q_heat {
-            if on_wash_2_ {
+        let q_ready_: bool = on_idle_0__;
+        let q_inlet_: bool = on_fill_1__;
+        let q_heat_: bool = on_wash_2__ || on_dye_4__;
+        if q_heat_ {
+            if on_wash_2__ {
                 self.acted_heat = 2;
             }
-            if on_dye_4_ {
+            if on_dye_4__ {
                 self.acted_heat = 4;
             }
         }
-        let by_leaving_heat: bool = self.was_q_heat && !q_heat
+        let by_leaving_heat_: bool = self.was_q_heat && !q_heat_
             && (self.held_wash_2_ && self.situation != __DyerState::Wash
-                && !(on_wash_2_ || on_dye_4_)
+                && !(on_wash_2__ || on_dye_4__)
                 || self.held_dye_4_ && self.situation != __DyerState::Dye
-                    && !(on_wash_2_ || on_dye_4_));
-        self.held_wash_2_ = q_heat && on_wash_2_;
-        self.held_dye_4_ = q_heat && on_dye_4_;
-        let q_drum: bool = on_wash_3_ || on_dye_5_ || on_drain_7_;
-        if q_drum {
-            if on_wash_3_ {
+                    && !(on_wash_2__ || on_dye_4__));
+        self.held_wash_2_ = q_heat_ && on_wash_2__;
+        self.held_dye_4_ = q_heat_ && on_dye_4__;
+        let q_drum_: bool = on_wash_3__ || on_dye_5__
+            || on_drain_7__;
+        if q_drum_ {
+            if on_wash_3__ {
                 self.acted_drum = 3;
             }
-            if on_dye_5_ {
+            if on_dye_5__ {
                 self.acted_drum = 5;
             }
-            if on_drain_7_ {
+            if on_drain_7__ {
                 self.acted_drum = 7;
             }
         }
-        let by_leaving_drum: bool = self.was_q_drum && !q_drum
+        let by_leaving_drum_: bool = self.was_q_drum && !q_drum_
             && (self.held_wash_3_ && self.situation != __DyerState::Wash
-                && !(on_wash_3_ || on_dye_5_ || on_drain_7_)
+                && !(on_wash_3__ || on_dye_5__ || on_drain_7__)
                 || self.held_dye_5_ && self.situation != __DyerState::Dye
-                    && !(on_wash_3_ || on_dye_5_ || on_drain_7_)
+                    && !(on_wash_3__ || on_dye_5__ || on_drain_7__)
                 || self.held_drain_7_ && self.situation != __DyerState::Drain
-                    && !(on_wash_3_ || on_dye_5_ || on_drain_7_));
-        self.held_wash_3_ = q_drum && on_wash_3_;
-        self.held_dye_5_ = q_drum && on_dye_5_;
-        self.held_drain_7_ = q_drum && on_drain_7_;
-        let q_outlet: bool = on_drain_6_;
-        let mut opaque_ran: bool = false;
-        if by_leaving_heat {
+                    && !(on_wash_3__ || on_dye_5__ || on_drain_7__));
+        self.held_wash_3_ = q_drum_ && on_wash_3__;
+        self.held_dye_5_ = q_drum_ && on_dye_5__;
+        self.held_drain_7_ = q_drum_ && on_drain_7__;
+        let q_outlet_: bool = on_drain_6__;
+        let mut opaque_ran_: bool = false;
+        if by_leaving_heat_ {
             match self.acted_heat {
                 2 => {
-                    actions
+                    actions_
                         .heat(
                             Phase::Final,
                             {
@@ -227,10 +236,10 @@ impl Dyer {
                                 wash_at
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 4 => {
-                    actions
+                    actions_
                         .heat(
                             Phase::Final,
                             {
@@ -238,15 +247,15 @@ impl Dyer {
                                 dye_at
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 _ => {}
             }
         }
-        if by_leaving_drum {
+        if by_leaving_drum_ {
             match self.acted_drum {
                 3 => {
-                    actions
+                    actions_
                         .drum(
                             Phase::Final,
                             {
@@ -254,10 +263,10 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 5 => {
-                    actions
+                    actions_
                         .drum(
                             Phase::Final,
                             {
@@ -265,10 +274,10 @@ impl Dyer {
                                 dye_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 7 => {
-                    actions
+                    actions_
                         .drum(
                             Phase::Final,
                             {
@@ -276,17 +285,17 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 _ => {}
             }
         }
-        self.ready = q_ready;
-        self.inlet = q_inlet;
-        if q_heat {
+        self.ready = q_ready_;
+        self.inlet = q_inlet_;
+        if q_heat_ {
             match self.acted_heat {
                 2 => {
-                    actions
+                    actions_
                         .heat(
                             if self.was_q_heat {
                                 Phase::Repeated
@@ -298,10 +307,10 @@ impl Dyer {
                                 wash_at
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 4 => {
-                    actions
+                    actions_
                         .heat(
                             if self.was_q_heat {
                                 Phase::Repeated
@@ -313,15 +322,15 @@ impl Dyer {
                                 dye_at
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 _ => {}
             }
         }
-        if self.was_q_heat && !q_heat && !by_leaving_heat {
+        if self.was_q_heat && !q_heat_ && !by_leaving_heat_ {
             match self.acted_heat {
                 2 => {
-                    actions
+                    actions_
                         .heat(
                             Phase::Final,
                             {
@@ -329,10 +338,10 @@ impl Dyer {
                                 wash_at
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 4 => {
-                    actions
+                    actions_
                         .heat(
                             Phase::Final,
                             {
@@ -340,15 +349,15 @@ impl Dyer {
                                 dye_at
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 _ => {}
             }
         }
-        if q_drum {
+        if q_drum_ {
             match self.acted_drum {
                 3 => {
-                    actions
+                    actions_
                         .drum(
                             if self.was_q_drum {
                                 Phase::Repeated
@@ -360,10 +369,10 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 5 => {
-                    actions
+                    actions_
                         .drum(
                             if self.was_q_drum {
                                 Phase::Repeated
@@ -375,10 +384,10 @@ impl Dyer {
                                 dye_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 7 => {
-                    actions
+                    actions_
                         .drum(
                             if self.was_q_drum {
                                 Phase::Repeated
@@ -390,15 +399,15 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 _ => {}
             }
         }
-        if self.was_q_drum && !q_drum && !by_leaving_drum {
+        if self.was_q_drum && !q_drum_ && !by_leaving_drum_ {
             match self.acted_drum {
                 3 => {
-                    actions
+                    actions_
                         .drum(
                             Phase::Final,
                             {
@@ -406,10 +415,10 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 5 => {
-                    actions
+                    actions_
                         .drum(
                             Phase::Final,
                             {
@@ -417,10 +426,10 @@ impl Dyer {
                                 dye_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 7 => {
-                    actions
+                    actions_
                         .drum(
                             Phase::Final,
                             {
@@ -428,22 +437,23 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
-                    opaque_ran = true;
+                    opaque_ran_ = true;
                 }
                 _ => {}
             }
         }
-        self.outlet = q_outlet;
-        self.was_q_heat = q_heat;
-        self.was_q_drum = q_drum;
-        self.settled = !(self.first || clears_idle_fill || clears_fill_wash
-            || clears_wash_dye || clears_dye_drain || clears_drain_idle || opaque_ran);
-        self.edge0_before = edge0_now;
+        self.outlet = q_outlet_;
+        self.was_q_heat = q_heat_;
+        self.was_q_drum = q_drum_;
+        self.settled = !(self.first || clears_idle_fill_ || clears_fill_wash_
+            || clears_wash_dye_ || clears_dye_drain_ || clears_drain_idle_
+            || opaque_ran_);
+        self.edge0_before = edge0_now_;
         self.first = false;
-        outputs.inlet = self.inlet;
-        outputs.outlet = self.outlet;
-        outputs.ready = self.ready;
-        outputs
+        outputs_.inlet = self.inlet;
+        outputs_.outlet = self.outlet;
+        outputs_.ready = self.ready;
+        outputs_
     }
     pub fn next_deadline(
         &self,
@@ -451,22 +461,22 @@ impl Dyer {
         if !self.settled {
             return Option::Some(self.reading);
         }
-        let mut soonest = Option::None;
+        let mut soonest_ = Option::None;
         if self.situation == __DyerState::Wash && self.time < self.params.wash {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(self.params.wash - self.time),
             );
         }
         if self.situation == __DyerState::Dye && self.time < self.params.dye {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(self.params.dye - self.time),
             );
         }
-        match soonest {
-            Option::Some(time) => {
-                Option::Some(self.reading.after(time))
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.reading.after(time_))
             }
             Option::None => Option::None,
         }

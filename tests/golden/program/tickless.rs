@@ -37,13 +37,13 @@ impl Crossing {
 impl Crossing {
     pub fn cycle(
         &mut self,
-        inputs: &CrossingInputs,
-        now: impl core::convert::Into<Ticks>,
+        inputs_: &CrossingInputs,
+        now_: impl core::convert::Into<Ticks>,
     ) -> CrossingOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = const {
+        let mut outputs_ = const {
             CrossingOutputs {
                 green: false,
                 yellow: false,
@@ -54,186 +54,187 @@ impl Crossing {
                 hurry: false,
             }
         };
-        self.reading = now;
+        self.reading = now_;
         if self.first {
-            self.since = now;
+            self.since = now_;
         }
-        let was_state: __CrossingState = self.situation;
-        let edge0_now: bool = inputs.button;
+        let was_state_: __CrossingState = self.situation;
+        let edge0_now_: bool = inputs_.button;
         if self.first {
-            self.edge0_before = edge0_now;
+            self.edge0_before = edge0_now_;
         }
-        let mut clears_cars_asked: bool = false;
-        let mut clears_asked_yellow: bool = false;
-        let mut clears_yellow_stop: bool = false;
-        let mut clears_stop_walk: bool = false;
-        let mut clears_walk_clear: bool = false;
-        let mut clears_clear_cars: bool = false;
-        let entered_cars: bool;
-        let mut entered_asked: bool = false;
-        let mut entered_yellow: bool = false;
-        let mut entered_stop: bool = false;
-        let mut entered_walk: bool = false;
-        let mut entered_clear: bool = false;
+        let mut clears_cars_asked_: bool = false;
+        let mut clears_asked_yellow_: bool = false;
+        let mut clears_yellow_stop_: bool = false;
+        let mut clears_stop_walk_: bool = false;
+        let mut clears_walk_clear_: bool = false;
+        let mut clears_clear_cars_: bool = false;
+        let entered_cars_: bool;
+        let mut entered_asked_: bool = false;
+        let mut entered_yellow_: bool = false;
+        let mut entered_stop_: bool = false;
+        let mut entered_walk_: bool = false;
+        let mut entered_clear_: bool = false;
         if self.first {
-            entered_cars = true;
+            entered_cars_ = true;
         } else {
-            clears_cars_asked = was_state == __CrossingState::Cars
+            clears_cars_asked_ = was_state_ == __CrossingState::Cars
                 && ({
-                    let rising_0 = !self.edge0_before && edge0_now;
-                    rising_0
+                    let rising_0_ = !self.edge0_before && edge0_now_;
+                    rising_0_
                 });
-            clears_asked_yellow = was_state == __CrossingState::Asked
+            clears_asked_yellow_ = was_state_ == __CrossingState::Asked
                 && ({
-                    let elapsed_5000_1 = was_state == __CrossingState::Asked
-                        && now.since(self.since)
+                    let elapsed_5000_1_ = was_state_ == __CrossingState::Asked
+                        && now_.since(self.since)
                             >= Ticks::new(5000u32);
-                    elapsed_5000_1
+                    elapsed_5000_1_
                 });
-            clears_yellow_stop = was_state == __CrossingState::Yellow
+            clears_yellow_stop_ = was_state_ == __CrossingState::Yellow
                 && ({
-                    let elapsed_3000_2 = was_state == __CrossingState::Yellow
-                        && now.since(self.since)
+                    let elapsed_3000_2_ = was_state_ == __CrossingState::Yellow
+                        && now_.since(self.since)
                             >= Ticks::new(3000u32);
-                    elapsed_3000_2
+                    elapsed_3000_2_
                 });
-            clears_stop_walk = was_state == __CrossingState::Stop
+            clears_stop_walk_ = was_state_ == __CrossingState::Stop
                 && ({
-                    let elapsed_2000_3 = was_state == __CrossingState::Stop
-                        && now.since(self.since)
+                    let elapsed_2000_3_ = was_state_ == __CrossingState::Stop
+                        && now_.since(self.since)
                             >= Ticks::new(2000u32);
-                    elapsed_2000_3
+                    elapsed_2000_3_
                 });
-            clears_walk_clear = was_state == __CrossingState::Walk
+            clears_walk_clear_ = was_state_ == __CrossingState::Walk
                 && ({
-                    let elapsed_8000_4 = was_state == __CrossingState::Walk
-                        && now.since(self.since)
+                    let elapsed_8000_4_ = was_state_ == __CrossingState::Walk
+                        && now_.since(self.since)
                             >= Ticks::new(8000u32);
-                    elapsed_8000_4
+                    elapsed_8000_4_
                 });
-            clears_clear_cars = was_state == __CrossingState::Clear
+            clears_clear_cars_ = was_state_ == __CrossingState::Clear
                 && ({
-                    let elapsed_4000_5 = was_state == __CrossingState::Clear
-                        && now.since(self.since)
+                    let elapsed_4000_5_ = was_state_ == __CrossingState::Clear
+                        && now_.since(self.since)
                             >= Ticks::new(4000u32);
-                    elapsed_4000_5
+                    elapsed_4000_5_
                 });
-            let left_cars: bool = clears_cars_asked;
-            let left_asked: bool = clears_asked_yellow;
-            let left_yellow: bool = clears_yellow_stop;
-            let left_stop: bool = clears_stop_walk;
-            let left_walk: bool = clears_walk_clear;
-            let left_clear: bool = clears_clear_cars;
-            entered_cars = clears_clear_cars
-                && !(was_state == __CrossingState::Cars && !left_cars);
-            entered_asked = clears_cars_asked
-                && !(was_state == __CrossingState::Asked && !left_asked);
-            entered_yellow = clears_asked_yellow
-                && !(was_state == __CrossingState::Yellow && !left_yellow);
-            entered_stop = clears_yellow_stop
-                && !(was_state == __CrossingState::Stop && !left_stop);
-            entered_walk = clears_stop_walk
-                && !(was_state == __CrossingState::Walk && !left_walk);
-            entered_clear = clears_walk_clear
-                && !(was_state == __CrossingState::Clear && !left_clear);
-            if left_cars {
+            let left_cars_: bool = clears_cars_asked_;
+            let left_asked_: bool = clears_asked_yellow_;
+            let left_yellow_: bool = clears_yellow_stop_;
+            let left_stop_: bool = clears_stop_walk_;
+            let left_walk_: bool = clears_walk_clear_;
+            let left_clear_: bool = clears_clear_cars_;
+            entered_cars_ = clears_clear_cars_
+                && !(was_state_ == __CrossingState::Cars && !left_cars_);
+            entered_asked_ = clears_cars_asked_
+                && !(was_state_ == __CrossingState::Asked && !left_asked_);
+            entered_yellow_ = clears_asked_yellow_
+                && !(was_state_ == __CrossingState::Yellow && !left_yellow_);
+            entered_stop_ = clears_yellow_stop_
+                && !(was_state_ == __CrossingState::Stop && !left_stop_);
+            entered_walk_ = clears_stop_walk_
+                && !(was_state_ == __CrossingState::Walk && !left_walk_);
+            entered_clear_ = clears_walk_clear_
+                && !(was_state_ == __CrossingState::Clear && !left_clear_);
+            if left_cars_ {
                 self.situation = __CrossingState::NONE;
             }
-            if left_asked {
+            if left_asked_ {
                 self.situation = __CrossingState::NONE;
             }
-            if left_yellow {
+            if left_yellow_ {
                 self.situation = __CrossingState::NONE;
             }
-            if left_stop {
+            if left_stop_ {
                 self.situation = __CrossingState::NONE;
             }
-            if left_walk {
+            if left_walk_ {
                 self.situation = __CrossingState::NONE;
             }
-            if left_clear {
+            if left_clear_ {
                 self.situation = __CrossingState::NONE;
             }
-            if entered_cars {
+            if entered_cars_ {
                 self.situation = __CrossingState::Cars;
             }
-            if entered_asked {
+            if entered_asked_ {
                 self.situation = __CrossingState::Asked;
             }
-            if entered_yellow {
+            if entered_yellow_ {
                 self.situation = __CrossingState::Yellow;
             }
-            if entered_stop {
+            if entered_stop_ {
                 self.situation = __CrossingState::Stop;
             }
-            if entered_walk {
+            if entered_walk_ {
                 self.situation = __CrossingState::Walk;
             }
-            if entered_clear {
+            if entered_clear_ {
                 self.situation = __CrossingState::Clear;
             }
         }
-        let reached_time: Ticks = now.since(self.since);
-        if entered_cars || entered_asked || entered_yellow || entered_stop
-            || entered_walk || entered_clear
+        let reached_time_: Ticks = now_.since(self.since);
+        if entered_cars_ || entered_asked_ || entered_yellow_ || entered_stop_
+            || entered_walk_ || entered_clear_
         {
-            self.since = now;
+            self.since = now_;
         }
-        let on_cars_0_: bool = self.situation
+        let on_cars_0__: bool = self.situation
             == __CrossingState::Cars;
-        let on_asked_1_: bool = self.situation
+        let on_asked_1__: bool = self.situation
             == __CrossingState::Asked;
-        let on_asked_2_: bool = self.situation
+        let on_asked_2__: bool = self.situation
             == __CrossingState::Asked;
-        let on_yellow_3_: bool = self.situation
+        let on_yellow_3__: bool = self.situation
             == __CrossingState::Yellow;
-        let on_yellow_4_: bool = self.situation
+        let on_yellow_4__: bool = self.situation
             == __CrossingState::Yellow;
-        let on_stop_5_: bool = self.situation
+        let on_stop_5__: bool = self.situation
             == __CrossingState::Stop;
-        let on_stop_6_: bool = self.situation
+        let on_stop_6__: bool = self.situation
             == __CrossingState::Stop;
-        let on_walk_7_: bool = self.situation
+        let on_walk_7__: bool = self.situation
             == __CrossingState::Walk;
-        let on_walk_8_: bool = self.situation
+        let on_walk_8__: bool = self.situation
             == __CrossingState::Walk;
-        let on_walk_9_: bool = self.situation
+        let on_walk_9__: bool = self.situation
             == __CrossingState::Walk;
-        let on_walk_10_: bool = self.situation
+        let on_walk_10__: bool = self.situation
             == __CrossingState::Walk;
-        let on_clear_11_: bool = self.situation
+        let on_clear_11__: bool = self.situation
             == __CrossingState::Clear;
-        let q_green: bool = on_cars_0_ || on_asked_1_;
-        let q_wait: bool = on_asked_2_ || on_yellow_4_
-            || on_stop_6_;
-        let q_yellow: bool = on_yellow_3_;
-        let q_red: bool = on_stop_5_ || on_walk_7_ || on_clear_11_;
-        let q_walk: bool = on_walk_8_;
-        let q_chirp: bool = on_walk_9_
-            && !(on_walk_9_
-                && now.since(self.since) >= Ticks::new(1000u32));
-        let q_hurry: bool = on_walk_10_
-            && now.since(self.since) >= Ticks::new(6000u32);
-        self.green = q_green;
-        self.wait = q_wait;
-        self.yellow = q_yellow;
-        self.red = q_red;
-        self.walk = q_walk;
-        self.chirp = q_chirp;
-        self.hurry = q_hurry;
-        self.settled = !(self.first || clears_cars_asked || clears_asked_yellow
-            || clears_yellow_stop || clears_stop_walk || clears_walk_clear
-            || clears_clear_cars);
-        self.edge0_before = edge0_now;
+        let q_green_: bool = on_cars_0__ || on_asked_1__;
+        let q_wait_: bool = on_asked_2__ || on_yellow_4__
+            || on_stop_6__;
+        let q_yellow_: bool = on_yellow_3__;
+        let q_red_: bool = on_stop_5__ || on_walk_7__
+            || on_clear_11__;
+        let q_walk_: bool = on_walk_8__;
+        let q_chirp_: bool = on_walk_9__
+            && !(on_walk_9__
+                && now_.since(self.since) >= Ticks::new(1000u32));
+        let q_hurry_: bool = on_walk_10__
+            && now_.since(self.since) >= Ticks::new(6000u32);
+        self.green = q_green_;
+        self.wait = q_wait_;
+        self.yellow = q_yellow_;
+        self.red = q_red_;
+        self.walk = q_walk_;
+        self.chirp = q_chirp_;
+        self.hurry = q_hurry_;
+        self.settled = !(self.first || clears_cars_asked_ || clears_asked_yellow_
+            || clears_yellow_stop_ || clears_stop_walk_ || clears_walk_clear_
+            || clears_clear_cars_);
+        self.edge0_before = edge0_now_;
         self.first = false;
-        outputs.green = self.green;
-        outputs.yellow = self.yellow;
-        outputs.red = self.red;
-        outputs.wait = self.wait;
-        outputs.walk = self.walk;
-        outputs.chirp = self.chirp;
-        outputs.hurry = self.hurry;
-        outputs
+        outputs_.green = self.green;
+        outputs_.yellow = self.yellow;
+        outputs_.red = self.red;
+        outputs_.wait = self.wait;
+        outputs_.walk = self.walk;
+        outputs_.chirp = self.chirp;
+        outputs_.hurry = self.hurry;
+        outputs_
     }
     pub fn next_deadline(
         &self,
@@ -241,12 +242,12 @@ impl Crossing {
         if !self.settled {
             return Option::Some(self.reading);
         }
-        let mut soonest = Option::None;
+        let mut soonest_ = Option::None;
         if self.situation == __CrossingState::Asked
             && self.reading.since(self.since) < Ticks::new(5000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(5000u32)
                         - self.reading.since(self.since),
@@ -256,8 +257,8 @@ impl Crossing {
         if self.situation == __CrossingState::Yellow
             && self.reading.since(self.since) < Ticks::new(3000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(3000u32)
                         - self.reading.since(self.since),
@@ -267,8 +268,8 @@ impl Crossing {
         if self.situation == __CrossingState::Stop
             && self.reading.since(self.since) < Ticks::new(2000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(2000u32)
                         - self.reading.since(self.since),
@@ -278,8 +279,8 @@ impl Crossing {
         if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(1000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(1000u32)
                         - self.reading.since(self.since),
@@ -289,8 +290,8 @@ impl Crossing {
         if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(6000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(6000u32)
                         - self.reading.since(self.since),
@@ -300,8 +301,8 @@ impl Crossing {
         if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(8000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(8000u32)
                         - self.reading.since(self.since),
@@ -311,17 +312,17 @@ impl Crossing {
         if self.situation == __CrossingState::Clear
             && self.reading.since(self.since) < Ticks::new(4000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(4000u32)
                         - self.reading.since(self.since),
                 ),
             );
         }
-        match soonest {
-            Option::Some(time) => {
-                Option::Some(self.reading.after(time))
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.reading.after(time_))
             }
             Option::None => Option::None,
         }

@@ -1,119 +1,119 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Fill {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &FillInputs) -> FillOutputs {
-        let mut outputs = FillOutputs {
+    fn cycle(&mut self, inputs_: &FillInputs) -> FillOutputs {
+        let mut outputs_ = FillOutputs {
             valve: false,
             pump: false,
         };
         self.region_0 = self.region_0.unmarked();
-        let mut evolutions_left: u32 = 14;
+        let mut evolutions_left_: u32 = 14;
         loop {
-            let inputs = core::hint::black_box(inputs);
-            let before_0 = self.region_0.state();
-            let before_1 = self.region_1;
-            let mut after_0 = before_0;
-            let mut after_1 = before_1;
-            match before_0 {
+            let inputs_ = core::hint::black_box(inputs_);
+            let before_0_ = self.region_0.state();
+            let before_1_ = self.region_1;
+            let mut after_0_ = before_0_;
+            let mut after_1_ = before_1_;
+            match before_0_ {
                 __FillRegion0::Wait => {
-                    if inputs.stop {
-                        after_0 = __FillRegion0::Stopped;
+                    if inputs_.stop {
+                        after_0_ = __FillRegion0::Stopped;
                     } else if {
-                        let value = inputs.start && (!inputs.stop);
-                        value
+                        let value_ = inputs_.start && (!inputs_.stop);
+                        value_
                     } {
-                        after_0 = __FillRegion0::Valve;
-                        after_1 = __FillRegion1::Pump;
+                        after_0_ = __FillRegion0::Valve;
+                        after_1_ = __FillRegion1::Pump;
                     } else {}
                 }
                 __FillRegion0::Valve => {
-                    if inputs.stop {
-                        after_0 = __FillRegion0::Stopped;
+                    if inputs_.stop {
+                        after_0_ = __FillRegion0::Stopped;
                     } else if {
-                        let value = inputs.full && (!inputs.stop);
-                        value
+                        let value_ = inputs_.full && (!inputs_.stop);
+                        value_
                     } {
-                        after_0 = __FillRegion0::Open;
+                        after_0_ = __FillRegion0::Open;
                     } else {}
                 }
                 __FillRegion0::Open => {
-                    if inputs.stop {
-                        after_0 = __FillRegion0::Stopped;
-                    } else if (before_1 == __FillRegion1::Running)
+                    if inputs_.stop {
+                        after_0_ = __FillRegion0::Stopped;
+                    } else if (before_1_ == __FillRegion1::Running)
                         && {
-                            let stop = inputs.stop;
+                            let stop = inputs_.stop;
                             (true) && (!stop)
                         }
                     {
-                        after_1 = __FillRegion1::NONE;
-                        after_0 = __FillRegion0::Wait;
+                        after_1_ = __FillRegion1::NONE;
+                        after_0_ = __FillRegion0::Wait;
                     }
                 }
                 __FillRegion0::Stopped => {
                     if {
-                        let stop = inputs.stop;
-                        let active_0 = before_0 == __FillRegion0::Wait;
-                        let active_1 = before_0 == __FillRegion0::Valve;
-                        let active_2 = before_0 == __FillRegion0::Open;
-                        let active_3 = before_1 == __FillRegion1::Pump;
-                        let active_4 = before_1 == __FillRegion1::Running;
+                        let stop = inputs_.stop;
+                        let active_0_ = before_0_ == __FillRegion0::Wait;
+                        let active_1_ = before_0_ == __FillRegion0::Valve;
+                        let active_2_ = before_0_ == __FillRegion0::Open;
+                        let active_3_ = before_1_ == __FillRegion1::Pump;
+                        let active_4_ = before_1_ == __FillRegion1::Running;
                         (!stop)
                             && (!(stop
-                                && (active_0 || active_1
-                                    || (active_2 || (active_3 || active_4)))))
+                                && (active_0_ || active_1_
+                                    || (active_2_ || (active_3_ || active_4_)))))
                     } {
-                        after_0 = __FillRegion0::Wait;
+                        after_0_ = __FillRegion0::Wait;
                     }
                 }
             }
-            match before_1 {
+            match before_1_ {
                 __FillRegion1::Pump => {
-                    if inputs.stop {
-                        after_1 = __FillRegion1::NONE;
-                        after_0 = __FillRegion0::Stopped;
+                    if inputs_.stop {
+                        after_1_ = __FillRegion1::NONE;
+                        after_0_ = __FillRegion0::Stopped;
                     } else if {
-                        let value = inputs.full && (!inputs.stop);
-                        value
+                        let value_ = inputs_.full && (!inputs_.stop);
+                        value_
                     } {
-                        after_1 = __FillRegion1::Running;
+                        after_1_ = __FillRegion1::Running;
                     } else {}
                 }
                 __FillRegion1::Running => {
-                    if inputs.stop {
-                        after_1 = __FillRegion1::NONE;
-                        after_0 = __FillRegion0::Stopped;
+                    if inputs_.stop {
+                        after_1_ = __FillRegion1::NONE;
+                        after_0_ = __FillRegion0::Stopped;
                     }
                 }
                 _ => {}
             }
-            if after_0 == before_0 && after_1 == before_1 {
+            if after_0_ == before_0_ && after_1_ == before_1_ {
                 break;
             }
-            if evolutions_left == 0 {
+            if evolutions_left_ == 0 {
                 self.region_0 = self.region_0.marked();
                 break;
             }
-            evolutions_left -= 1;
-            self.region_0 = __FillRegion0Mark::of(after_0);
-            self.region_1 = after_1;
+            evolutions_left_ -= 1;
+            self.region_0 = __FillRegion0Mark::of(after_0_);
+            self.region_1 = after_1_;
         }
-        let after_0 = self.region_0.state();
-        let after_1 = self.region_1;
-        match after_0 {
+        let after_0_ = self.region_0.state();
+        let after_1_ = self.region_1;
+        match after_0_ {
             __FillRegion0::Valve => {
-                outputs.valve = true;
+                outputs_.valve = true;
             }
             _ => {}
         }
-        match after_1 {
+        match after_1_ {
             __FillRegion1::Pump => {
-                outputs.pump = true;
+                outputs_.pump = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }
 impl Fill {
@@ -127,83 +127,83 @@ impl Fill {
     #[allow(unused_assignments, unused_mut, unused_variables)]
     fn force(
         &mut self,
-        steps: &[FillStep],
-        inputs: &FillInputs,
+        steps_: &[FillStep],
+        inputs_: &FillInputs,
     ) -> Result<
         FillOutputs,
         ForceError<FillStep>,
     > {
         Possible::Listed(b"\x01\n\x14 ")
-            .look(<Self as Chart>::STEPS, steps)?;
-        let mut forced0: Option<__FillRegion0> = Option::None;
-        let mut forced1: Option<__FillRegion1> = Option::None;
-        for step in steps {
-            match *step {
+            .look(<Self as Chart>::STEPS, steps_)?;
+        let mut forced0_: Option<__FillRegion0> = Option::None;
+        let mut forced1_: Option<__FillRegion1> = Option::None;
+        for step_ in steps_ {
+            match *step_ {
                 FillStep::Wait => {
-                    forced0 = Option::Some(__FillRegion0::Wait);
+                    forced0_ = Option::Some(__FillRegion0::Wait);
                 }
                 FillStep::Valve => {
-                    forced0 = Option::Some(__FillRegion0::Valve);
+                    forced0_ = Option::Some(__FillRegion0::Valve);
                 }
                 FillStep::Open => {
-                    forced0 = Option::Some(__FillRegion0::Open);
+                    forced0_ = Option::Some(__FillRegion0::Open);
                 }
                 FillStep::Pump => {
-                    forced1 = Option::Some(__FillRegion1::Pump);
+                    forced1_ = Option::Some(__FillRegion1::Pump);
                 }
                 FillStep::Running => {
-                    forced1 = Option::Some(__FillRegion1::Running);
+                    forced1_ = Option::Some(__FillRegion1::Running);
                 }
                 FillStep::Stopped => {
-                    forced0 = Option::Some(__FillRegion0::Stopped);
+                    forced0_ = Option::Some(__FillRegion0::Stopped);
                 }
             }
         }
-        let forced0 = match forced0 {
-            Option::Some(state) => state,
+        let forced0_ = match forced0_ {
+            Option::Some(state_) => state_,
             Option::None => {
                 return Result::Err(
                     ForceError::NoSituation,
                 );
             }
         };
-        let forced1 = match forced1 {
-            Option::Some(state) => state,
+        let forced1_ = match forced1_ {
+            Option::Some(state_) => state_,
             Option::None => __FillRegion1::NONE,
         };
         Result::Ok({
-            let mut outputs = FillOutputs {
+            let mut outputs_ = FillOutputs {
                 valve: false,
                 pump: false,
             };
             self.region_0 = self.region_0.unmarked();
             {
-                let before_0 = self.region_0.state();
-                let before_1 = self.region_1;
-                let after_0 = forced0;
-                let after_1 = forced1;
-                self.region_0 = __FillRegion0Mark::of(after_0);
-                self.region_1 = after_1;
+                let before_0_ = self.region_0.state();
+                let before_1_ = self.region_1;
+                let after_0_ = forced0_;
+                let after_1_ = forced1_;
+                self.region_0 = __FillRegion0Mark::of(after_0_);
+                self.region_1 = after_1_;
             }
             {
-                let before_0 = self.region_0.state();
-                let before_1 = self.region_1;
+                let before_0_ = self.region_0.state();
+                let before_1_ = self.region_1;
             }
-            let after_0 = self.region_0.state();
-            let after_1 = self.region_1;
-            match after_0 {
+            let after_0_ = self.region_0.state();
+            let after_1_ = self.region_1;
+            match after_0_ {
                 __FillRegion0::Valve => {
-                    outputs.valve = true;
+                    outputs_.valve = true;
                 }
                 _ => {}
             }
-            match after_1 {
+            match after_1_ {
                 __FillRegion1::Pump => {
-                    outputs.pump = true;
+                    outputs_.pump = true;
                 }
                 _ => {}
             }
-            outputs
+            outputs_
         })
     }
 }

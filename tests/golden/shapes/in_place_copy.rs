@@ -1,61 +1,61 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Presses {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &PressesInputs) -> PressesOutputs {
-        let outputs = PressesOutputs {};
+    fn cycle(&mut self, inputs_: &PressesInputs) -> PressesOutputs {
+        let outputs_ = PressesOutputs {};
         self.region_0 = self.region_0.unmarked();
-        let mut evolutions_left: u32 = 20;
+        let mut evolutions_left_: u32 = 20;
         loop {
             core::sync::atomic::compiler_fence(
                 core::sync::atomic::Ordering::SeqCst,
             );
             #[allow(unused_variables)]
-            let before_0 = self.region_0.state();
+            let before_0_ = self.region_0.state();
             #[allow(unused_variables)]
-            let before_1 = self.region_1;
+            let before_1_ = self.region_1;
             #[allow(unused_variables)]
-            let before_2 = self.region_2;
+            let before_2_ = self.region_2;
             #[allow(unused_variables)]
-            let before_3 = self.region_3;
-            if evolutions_left == 0 {
-                let mut copy = *self;
-                if copy.__evolve(inputs) {
+            let before_3_ = self.region_3;
+            if evolutions_left_ == 0 {
+                let mut copy_ = *self;
+                if copy_.__evolve(inputs_) {
                     self.region_0 = self.region_0.marked();
                 }
                 break;
             }
-            if !self.__evolve(inputs) {
+            if !self.__evolve(inputs_) {
                 break;
             }
             #[allow(unused_variables)]
-            let after_0 = self.region_0.state();
+            let after_0_ = self.region_0.state();
             #[allow(unused_variables)]
-            let after_1 = self.region_1;
+            let after_1_ = self.region_1;
             #[allow(unused_variables)]
-            let after_2 = self.region_2;
+            let after_2_ = self.region_2;
             #[allow(unused_variables)]
-            let after_3 = self.region_3;
-            evolutions_left -= 1;
+            let after_3_ = self.region_3;
+            evolutions_left_ -= 1;
         }
-        outputs
+        outputs_
     }
     /// One evolution; whether it has changed the situation.
     #[inline(never)]
-    fn __evolve(&mut self, inputs: &PressesInputs) -> bool {
-        let mut moved = false;
+    fn __evolve(&mut self, inputs_: &PressesInputs) -> bool {
+        let mut moved_ = false;
         #[allow(unused_variables)]
-        let before_0 = self.region_0.state();
+        let before_0_ = self.region_0.state();
         #[allow(unused_variables)]
-        let before_1 = self.region_1;
+        let before_1_ = self.region_1;
         #[allow(unused_variables)]
-        let before_2 = self.region_2;
+        let before_2_ = self.region_2;
         #[allow(unused_variables)]
-        let before_3 = self.region_3;
+        let before_3_ = self.region_3;
         match self.region_0.state() {
             __PressesRegion0::Wait => {
-                if inputs.start {
+                if inputs_.start {
                     self.region_0 = __PressesRegion0Mark::of(__PressesRegion0::One);
                     self.region_1 = __PressesRegion1::Two;
                     self.region_2 = __PressesRegion2::Three;
@@ -63,7 +63,7 @@ impl Presses {
                         core::sync::atomic::Ordering::SeqCst,
                     );
                     self.region_3 = __PressesRegion3::Four;
-                    moved = true;
+                    moved_ = true;
                 }
             }
             _ => {
@@ -79,42 +79,42 @@ impl Presses {
                         core::sync::atomic::Ordering::SeqCst,
                     );
                     self.region_0 = __PressesRegion0Mark::of(__PressesRegion0::Wait);
-                    moved = true;
+                    moved_ = true;
                 } else {
                     match self.region_0.state() {
                         __PressesRegion0::One => {
-                            if inputs.one_done {
+                            if inputs_.one_done {
                                 self.region_0 = __PressesRegion0Mark::of(
                                     __PressesRegion0::OneReady,
                                 );
-                                moved = true;
+                                moved_ = true;
                             }
                         }
                         _ => {}
                     }
                     match self.region_1 {
                         __PressesRegion1::Two => {
-                            if inputs.two_done {
+                            if inputs_.two_done {
                                 self.region_1 = __PressesRegion1::TwoReady;
-                                moved = true;
+                                moved_ = true;
                             }
                         }
                         _ => {}
                     }
                     match self.region_2 {
                         __PressesRegion2::Three => {
-                            if inputs.three_done {
+                            if inputs_.three_done {
                                 self.region_2 = __PressesRegion2::ThreeReady;
-                                moved = true;
+                                moved_ = true;
                             }
                         }
                         _ => {}
                     }
                     match self.region_3 {
                         __PressesRegion3::Four => {
-                            if inputs.four_done {
+                            if inputs_.four_done {
                                 self.region_3 = __PressesRegion3::FourReady;
-                                moved = true;
+                                moved_ = true;
                             }
                         }
                         _ => {}
@@ -122,6 +122,6 @@ impl Presses {
                 }
             }
         }
-        moved
+        moved_
     }
 }

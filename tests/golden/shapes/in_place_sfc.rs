@@ -1,24 +1,24 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Presses {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &PressesInputs) -> PressesOutputs {
-        let mut outputs = PressesOutputs {
+    fn cycle(&mut self, inputs_: &PressesInputs) -> PressesOutputs {
+        let mut outputs_ = PressesOutputs {
             left: false,
             right: false,
         };
         #[allow(unused_variables)]
-        let before_0 = self.region_0;
+        let before_0_ = self.region_0;
         #[allow(unused_variables)]
-        let before_1 = self.region_1;
+        let before_1_ = self.region_1;
         match self.region_0 {
             __PressesRegion0::Wait => {
-                if inputs.start {
+                if inputs_.start {
                     self.region_0 = __PressesRegion0::Left;
                     self.region_1 = __PressesRegion1::Right;
-                    outputs.left = true;
-                    outputs.right = true;
+                    outputs_.left = true;
+                    outputs_.right = true;
                 } else {}
             }
             __PressesRegion0::INIT => {
@@ -33,10 +33,10 @@ impl Presses {
                 } else {
                     match self.region_0 {
                         __PressesRegion0::Left => {
-                            if inputs.left_done {
+                            if inputs_.left_done {
                                 self.region_0 = __PressesRegion0::LeftReady;
                             } else {
-                                outputs.left = true;
+                                outputs_.left = true;
                             }
                         }
                         _ => {}
@@ -46,10 +46,10 @@ impl Presses {
                     );
                     match self.region_1 {
                         __PressesRegion1::Right => {
-                            if inputs.right_done {
+                            if inputs_.right_done {
                                 self.region_1 = __PressesRegion1::RightReady;
                             } else {
-                                outputs.right = true;
+                                outputs_.right = true;
                             }
                         }
                         _ => {}
@@ -64,10 +64,10 @@ impl Presses {
             core::sync::atomic::Ordering::SeqCst,
         );
         #[allow(unused_variables)]
-        let after_0 = self.region_0;
+        let after_0_ = self.region_0;
         #[allow(unused_variables)]
-        let after_1 = self.region_1;
-        outputs
+        let after_1_ = self.region_1;
+        outputs_
     }
 }
 impl Presses {
@@ -81,71 +81,73 @@ impl Presses {
     #[allow(unused_assignments, unused_mut, unused_variables)]
     fn force(
         &mut self,
-        steps: &[PressesStep],
-        inputs: &PressesInputs,
+        steps_: &[PressesStep],
+        inputs_: &PressesInputs,
     ) -> Result<
         PressesOutputs,
         ForceError<PressesStep>,
     > {
         Possible::Listed(b"\x01\n\x12\x0C\x14")
-            .look(<Self as Chart>::STEPS, steps)?;
-        let mut forced0: Option<__PressesRegion0> = Option::None;
-        let mut forced1: Option<__PressesRegion1> = Option::None;
-        for step in steps {
-            match *step {
+            .look(<Self as Chart>::STEPS, steps_)?;
+        let mut forced0_: Option<__PressesRegion0> = Option::None;
+        let mut forced1_: Option<__PressesRegion1> = Option::None;
+        for step_ in steps_ {
+            match *step_ {
                 PressesStep::Wait => {
-                    forced0 = Option::Some(__PressesRegion0::Wait);
+                    forced0_ = Option::Some(__PressesRegion0::Wait);
                 }
                 PressesStep::Left => {
-                    forced0 = Option::Some(__PressesRegion0::Left);
+                    forced0_ = Option::Some(__PressesRegion0::Left);
                 }
                 PressesStep::LeftReady => {
-                    forced0 = Option::Some(
+                    forced0_ = Option::Some(
                         __PressesRegion0::LeftReady,
                     );
                 }
                 PressesStep::Right => {
-                    forced1 = Option::Some(__PressesRegion1::Right);
+                    forced1_ = Option::Some(
+                        __PressesRegion1::Right,
+                    );
                 }
                 PressesStep::RightReady => {
-                    forced1 = Option::Some(
+                    forced1_ = Option::Some(
                         __PressesRegion1::RightReady,
                     );
                 }
             }
         }
-        let forced0 = match forced0 {
-            Option::Some(state) => state,
+        let forced0_ = match forced0_ {
+            Option::Some(state_) => state_,
             Option::None => __PressesRegion0::NONE,
         };
-        let forced1 = match forced1 {
-            Option::Some(state) => state,
+        let forced1_ = match forced1_ {
+            Option::Some(state_) => state_,
             Option::None => __PressesRegion1::NONE,
         };
         Result::Ok({
-            let mut outputs = PressesOutputs {
+            let mut outputs_ = PressesOutputs {
                 left: false,
                 right: false,
             };
-            let before_0 = self.region_0;
-            let before_1 = self.region_1;
-            let after_0 = forced0;
-            let after_1 = forced1;
-            self.region_0 = after_0;
-            self.region_1 = after_1;
-            match after_0 {
+            let before_0_ = self.region_0;
+            let before_1_ = self.region_1;
+            let after_0_ = forced0_;
+            let after_1_ = forced1_;
+            self.region_0 = after_0_;
+            self.region_1 = after_1_;
+            match after_0_ {
                 __PressesRegion0::Left => {
-                    outputs.left = true;
+                    outputs_.left = true;
                 }
                 _ => {}
             }
-            match after_1 {
+            match after_1_ {
                 __PressesRegion1::Right => {
-                    outputs.right = true;
+                    outputs_.right = true;
                 }
                 _ => {}
             }
-            outputs
+            outputs_
         })
     }
 }

@@ -1,59 +1,59 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Lamp {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
-        let mut outputs = LampOutputs { lamp: false };
-        let first: bool = self.situation.state()
+    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+        let mut outputs_ = LampOutputs { lamp: false };
+        let first_: bool = self.situation.state()
             == __LampState::INIT;
-        if first {
+        if first_ {
             self.situation = self.situation.with(__LampState::Off);
         }
-        let mut now_state: __LampState = self.situation.state();
-        self.situation = __LampStateMark::of(now_state);
+        let mut now_state_: __LampState = self.situation.state();
+        self.situation = __LampStateMark::of(now_state_);
         self.situation = self.situation.unmarked();
-        let mut edge0_now: bool = false;
-        let mut evolutions: u32 = 0;
+        let mut edge0_now_: bool = false;
+        let mut evolutions_: u32 = 0;
         loop {
-            let inputs = core::hint::black_box(inputs);
+            let inputs_ = core::hint::black_box(inputs_);
             fence_on_armv6m();
-            match now_state {
+            match now_state_ {
                 __LampState::Off => {
-                    edge0_now = inputs.next;
-                    if first && evolutions == 0 {
-                        self.edge0_before = edge0_now;
+                    edge0_now_ = inputs_.next;
+                    if first_ && evolutions_ == 0 {
+                        self.edge0_before = edge0_now_;
                     }
-                    if inputs.on {
-                        if evolutions == 8 {
+                    if inputs_.on {
+                        if evolutions_ == 8 {
                             self.situation = self.situation.marked();
                             break;
                         } else {
-                            now_state = __LampState::On;
+                            now_state_ = __LampState::On;
                         }
                     } else {
                         break;
                     }
                 }
                 __LampState::On => {
-                    edge0_now = inputs.next;
-                    if first && evolutions == 0 {
-                        self.edge0_before = edge0_now;
+                    edge0_now_ = inputs_.next;
+                    if first_ && evolutions_ == 0 {
+                        self.edge0_before = edge0_now_;
                     }
-                    if inputs.off {
-                        if evolutions == 8 {
+                    if inputs_.off {
+                        if evolutions_ == 8 {
                             self.situation = self.situation.marked();
                             break;
                         } else {
-                            now_state = __LampState::Off;
+                            now_state_ = __LampState::Off;
                         }
                     } else {
-                        if !self.edge0_before && edge0_now {
-                            if evolutions == 8 {
+                        if !self.edge0_before && edge0_now_ {
+                            if evolutions_ == 8 {
                                 self.situation = self.situation.marked();
                                 break;
                             } else {
-                                now_state = __LampState::Bright;
+                                now_state_ = __LampState::Bright;
                             }
                         } else {
                             break;
@@ -61,16 +61,16 @@ impl Lamp {
                     }
                 }
                 __LampState::Bright => {
-                    edge0_now = inputs.next;
-                    if first && evolutions == 0 {
-                        self.edge0_before = edge0_now;
+                    edge0_now_ = inputs_.next;
+                    if first_ && evolutions_ == 0 {
+                        self.edge0_before = edge0_now_;
                     }
-                    if inputs.off {
-                        if evolutions == 8 {
+                    if inputs_.off {
+                        if evolutions_ == 8 {
                             self.situation = self.situation.marked();
                             break;
                         } else {
-                            now_state = __LampState::Off;
+                            now_state_ = __LampState::Off;
                         }
                     } else {
                         break;
@@ -80,23 +80,23 @@ impl Lamp {
                     break;
                 }
             }
-            self.situation = __LampStateMark::of(now_state);
+            self.situation = __LampStateMark::of(now_state_);
             self.situation = self.situation.unmarked();
-            self.edge0_before = edge0_now;
-            evolutions = evolutions.wrapping_add(1);
+            self.edge0_before = edge0_now_;
+            evolutions_ = evolutions_.wrapping_add(1);
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
         match self.situation.state() {
             __LampState::On | __LampState::Bright => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
         if !self.situation.is_marked() {
-            self.edge0_before = edge0_now;
+            self.edge0_before = edge0_now_;
         }
-        outputs
+        outputs_
     }
 }

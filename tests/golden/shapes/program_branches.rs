@@ -1,10 +1,10 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Presses {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &PressesInputs) -> PressesOutputs {
-        let mut outputs = const {
+    fn cycle(&mut self, inputs_: &PressesInputs) -> PressesOutputs {
+        let mut outputs_ = const {
             PressesOutputs {
                 left: false,
                 right: false,
@@ -15,10 +15,10 @@ impl Presses {
                 self.region_0 = __PressesRegion0::Wait;
             }
             __PressesRegion0::Wait => {
-                if inputs.start {
+                if inputs_.start {
                     self.region_0 = __PressesRegion0::Left;
                     self.region_1 = __PressesRegion1::Right;
-                    outputs = const {
+                    outputs_ = const {
                         PressesOutputs {
                             left: true,
                             right: true,
@@ -35,10 +35,10 @@ impl Presses {
                 } else {
                     match self.region_0 {
                         __PressesRegion0::Left => {
-                            if inputs.left_done {
+                            if inputs_.left_done {
                                 self.region_0 = __PressesRegion0::LeftReady;
                             } else {
-                                outputs.left = true;
+                                outputs_.left = true;
                             }
                         }
                         _ => {}
@@ -48,10 +48,10 @@ impl Presses {
                     );
                     match self.region_1 {
                         __PressesRegion1::Right => {
-                            if inputs.right_done {
+                            if inputs_.right_done {
                                 self.region_1 = __PressesRegion1::RightReady;
                             } else {
-                                outputs.right = true;
+                                outputs_.right = true;
                             }
                         }
                         _ => {}
@@ -59,6 +59,6 @@ impl Presses {
                 }
             }
         }
-        outputs
+        outputs_
     }
 }

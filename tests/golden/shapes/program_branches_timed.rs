@@ -1,17 +1,17 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Kettle {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
         &mut self,
-        inputs: &KettleInputs,
-        now: impl core::convert::Into<Ticks>,
+        inputs_: &KettleInputs,
+        now_: impl core::convert::Into<Ticks>,
     ) -> KettleOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = const {
+        let mut outputs_ = const {
             KettleOutputs {
                 heater: false,
                 valve: false,
@@ -21,27 +21,27 @@ impl Kettle {
         };
         self.before_state_idle = self.region_0;
         self.before_state_fill = self.region_1;
-        let was_state_idle: __KettleRegion0 = self.region_0;
+        let was_state_idle_: __KettleRegion0 = self.region_0;
         match self.region_0 {
             __KettleRegion0::INIT => {
                 self.region_0 = __KettleRegion0::Idle;
-                self.since_fill = now;
+                self.since_fill = now_;
             }
             __KettleRegion0::Idle => {
-                if inputs.start {
+                if inputs_.start {
                     self.region_0 = __KettleRegion0::Heat;
                     self.region_1 = __KettleRegion1::Fill;
-                    self.since_fill = now;
-                    outputs.valve = true;
-                    outputs.ready = self.s_ff_ready;
-                    outputs.heater = true;
+                    self.since_fill = now_;
+                    outputs_.valve = true;
+                    outputs_.ready = self.s_ff_ready;
+                    outputs_.heater = true;
                 } else {
                     self.s_ff_ready = false;
                 }
             }
             _ => {
                 if self.region_0 == __KettleRegion0::Heated
-                    && self.region_1 == __KettleRegion1::Stirred && !inputs.start
+                    && self.region_1 == __KettleRegion1::Stirred && !inputs_.start
                 {
                     self.s_ff_ready = false;
                     self.region_1 = __KettleRegion1::NONE;
@@ -49,49 +49,49 @@ impl Kettle {
                 } else {
                     match self.region_1 {
                         __KettleRegion1::Fill => {
-                            if inputs.full
-                                && now.since(self.since_fill)
+                            if inputs_.full
+                                && now_.since(self.since_fill)
                                     >= Ticks::new(1000u32)
                             {
                                 self.region_1 = __KettleRegion1::Stir;
-                                self.since_fill = now;
+                                self.since_fill = now_;
                             }
                         }
                         __KettleRegion1::Stir => {
-                            if now.since(self.since_fill)
+                            if now_.since(self.since_fill)
                                 >= Ticks::new(3000u32)
                             {
                                 self.region_1 = __KettleRegion1::Rest;
-                                self.since_fill = now;
+                                self.since_fill = now_;
                             }
                         }
                         __KettleRegion1::Rest => {
-                            if now.since(self.since_fill)
+                            if now_.since(self.since_fill)
                                 >= Ticks::new(2000u32)
                             {
                                 self.region_1 = __KettleRegion1::Stirred;
-                                self.since_fill = now;
+                                self.since_fill = now_;
                             }
                         }
                         _ => {}
                     }
-                    let mut on_stirred_5_: bool = false;
+                    let mut on_stirred_5__: bool = false;
                     match self.region_1 {
                         __KettleRegion1::Fill => {
-                            outputs.valve = true;
-                            if now.since(self.since_fill)
+                            outputs_.valve = true;
+                            if now_.since(self.since_fill)
                                 >= Ticks::new(1000u32)
                             {
-                                self.since_fill = now
+                                self.since_fill = now_
                                     .since(Ticks::new(1000u32));
                                 self.before_state_fill = __KettleRegion1::Stir;
                             }
                         }
                         __KettleRegion1::Stir => {
-                            outputs.stirrer = true;
+                            outputs_.stirrer = true;
                         }
                         __KettleRegion1::Stirred => {
-                            on_stirred_5_ = true;
+                            on_stirred_5__ = true;
                         }
                         _ => {}
                     }
@@ -100,32 +100,32 @@ impl Kettle {
                     );
                     match self.region_0 {
                         __KettleRegion0::Heat => {
-                            if inputs.hot {
+                            if inputs_.hot {
                                 self.region_0 = __KettleRegion0::Hold;
-                                outputs.heater = false;
+                                outputs_.heater = false;
                             } else {
-                                outputs.heater = true;
+                                outputs_.heater = true;
                             }
                         }
                         __KettleRegion0::Hold => {
-                            if now.since(self.since_idle)
+                            if now_.since(self.since_idle)
                                 >= Ticks::new(5000u32)
                             {
                                 self.region_0 = __KettleRegion0::Heated;
                             } else {
-                                outputs.heater = !inputs.hot;
+                                outputs_.heater = !inputs_.hot;
                             }
                         }
                         _ => {}
                     }
-                    self.s_ff_ready = on_stirred_5_ || self.s_ff_ready;
-                    outputs.ready = self.s_ff_ready;
+                    self.s_ff_ready = on_stirred_5__ || self.s_ff_ready;
+                    outputs_.ready = self.s_ff_ready;
                 }
             }
         }
-        if was_state_idle != self.region_0 {
-            self.since_idle = now;
+        if was_state_idle_ != self.region_0 {
+            self.since_idle = now_;
         }
-        outputs
+        outputs_
     }
 }

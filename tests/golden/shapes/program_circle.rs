@@ -1,36 +1,36 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Lamp {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
-        let mut outputs = LampOutputs { lamp: false };
-        let mut now_state: __LampState = self.situation.state();
-        self.situation = __LampStateMark::of(now_state);
+    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+        let mut outputs_ = LampOutputs { lamp: false };
+        let mut now_state_: __LampState = self.situation.state();
+        self.situation = __LampStateMark::of(now_state_);
         self.situation = self.situation.unmarked();
-        let inputs = core::hint::black_box(inputs);
-        let mut evolutions: u32 = 0;
+        let inputs_ = core::hint::black_box(inputs_);
+        let mut evolutions_: u32 = 0;
         loop {
-            match now_state {
+            match now_state_ {
                 __LampState::Off => {
-                    if inputs.on {
-                        now_state = __LampState::On;
+                    if inputs_.on {
+                        now_state_ = __LampState::On;
                     } else {
                         break;
                     }
                 }
                 __LampState::On => {
-                    if inputs.off {
-                        now_state = __LampState::Off;
+                    if inputs_.off {
+                        now_state_ = __LampState::Off;
                     } else {
                         break;
                     }
                 }
             }
-            self.situation = __LampStateMark::of(now_state);
+            self.situation = __LampStateMark::of(now_state_);
             self.situation = self.situation.unmarked();
-            evolutions = evolutions.wrapping_add(1);
-            if evolutions == 6 {
+            evolutions_ = evolutions_.wrapping_add(1);
+            if evolutions_ == 6 {
                 self.situation = self.situation.marked();
                 break;
             }
@@ -40,10 +40,10 @@ impl Lamp {
         );
         match self.situation.state() {
             __LampState::On => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

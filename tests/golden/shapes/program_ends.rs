@@ -1,44 +1,44 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Lamp {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
-        let mut outputs = const {
+    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+        let mut outputs_ = const {
             LampOutputs {
                 lamp: false,
                 more: false,
             }
         };
-        let mut now_state: __LampState = self.situation;
+        let mut now_state_: __LampState = self.situation;
         loop {
-            let inputs = core::hint::black_box(inputs);
+            let inputs_ = core::hint::black_box(inputs_);
             fence_on_armv6m();
-            match now_state {
+            match now_state_ {
                 __LampState::Off => {
-                    if inputs.on {
-                        now_state = __LampState::On;
+                    if inputs_.on {
+                        now_state_ = __LampState::On;
                     } else {
                         break;
                     }
                 }
                 __LampState::On => {
-                    if inputs.bright {
-                        now_state = __LampState::Bright;
+                    if inputs_.bright {
+                        now_state_ = __LampState::Bright;
                     } else {
                         break;
                     }
                 }
                 __LampState::Bright => {
-                    if !inputs.on {
-                        now_state = __LampState::Off;
+                    if !inputs_.on {
+                        now_state_ = __LampState::Off;
                     } else {
                         break;
                     }
                 }
             }
-            self.situation = now_state;
-            if now_state == __LampState::Off {
+            self.situation = now_state_;
+            if now_state_ == __LampState::Off {
                 break;
             }
         }
@@ -47,7 +47,7 @@ impl Lamp {
         );
         match self.situation {
             __LampState::On => {
-                outputs = const {
+                outputs_ = const {
                     LampOutputs {
                         lamp: true,
                         more: false,
@@ -55,7 +55,7 @@ impl Lamp {
                 };
             }
             __LampState::Bright => {
-                outputs = const {
+                outputs_ = const {
                     LampOutputs {
                         lamp: true,
                         more: true,
@@ -63,7 +63,7 @@ impl Lamp {
                 };
             }
             _ => {
-                outputs = const {
+                outputs_ = const {
                     LampOutputs {
                         lamp: false,
                         more: false,
@@ -71,6 +71,6 @@ impl Lamp {
                 };
             }
         }
-        outputs
+        outputs_
     }
 }

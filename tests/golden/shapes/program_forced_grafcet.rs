@@ -1,59 +1,59 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Lamp {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
-        let mut outputs = LampOutputs { lamp: false };
-        let first: bool = self.situation.state()
+    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+        let mut outputs_ = LampOutputs { lamp: false };
+        let first_: bool = self.situation.state()
             == __LampState::INIT;
-        if first {
+        if first_ {
             self.situation = self.situation.with(__LampState::Off);
         }
-        let mut now_state: __LampState = self.situation.state();
-        self.situation = __LampStateMark::of(now_state);
+        let mut now_state_: __LampState = self.situation.state();
+        self.situation = __LampStateMark::of(now_state_);
         self.situation = self.situation.unmarked();
-        let mut edge0_now: bool = false;
-        let mut evolutions: u32 = 0;
+        let mut edge0_now_: bool = false;
+        let mut evolutions_: u32 = 0;
         loop {
-            let inputs = core::hint::black_box(inputs);
+            let inputs_ = core::hint::black_box(inputs_);
             fence_on_armv6m();
-            match now_state {
+            match now_state_ {
                 __LampState::Off => {
-                    edge0_now = inputs.next;
-                    if first && evolutions == 0 {
-                        self.edge0_before = edge0_now;
+                    edge0_now_ = inputs_.next;
+                    if first_ && evolutions_ == 0 {
+                        self.edge0_before = edge0_now_;
                     }
-                    if inputs.on {
-                        if evolutions == 8 {
+                    if inputs_.on {
+                        if evolutions_ == 8 {
                             self.situation = self.situation.marked();
                             break;
                         } else {
-                            now_state = __LampState::On;
+                            now_state_ = __LampState::On;
                         }
                     } else {
                         break;
                     }
                 }
                 __LampState::On => {
-                    edge0_now = inputs.next;
-                    if first && evolutions == 0 {
-                        self.edge0_before = edge0_now;
+                    edge0_now_ = inputs_.next;
+                    if first_ && evolutions_ == 0 {
+                        self.edge0_before = edge0_now_;
                     }
-                    if inputs.off {
-                        if evolutions == 8 {
+                    if inputs_.off {
+                        if evolutions_ == 8 {
                             self.situation = self.situation.marked();
                             break;
                         } else {
-                            now_state = __LampState::Off;
+                            now_state_ = __LampState::Off;
                         }
                     } else {
-                        if !self.edge0_before && edge0_now {
-                            if evolutions == 8 {
+                        if !self.edge0_before && edge0_now_ {
+                            if evolutions_ == 8 {
                                 self.situation = self.situation.marked();
                                 break;
                             } else {
-                                now_state = __LampState::Bright;
+                                now_state_ = __LampState::Bright;
                             }
                         } else {
                             break;
@@ -61,16 +61,16 @@ impl Lamp {
                     }
                 }
                 __LampState::Bright => {
-                    edge0_now = inputs.next;
-                    if first && evolutions == 0 {
-                        self.edge0_before = edge0_now;
+                    edge0_now_ = inputs_.next;
+                    if first_ && evolutions_ == 0 {
+                        self.edge0_before = edge0_now_;
                     }
-                    if inputs.off {
-                        if evolutions == 8 {
+                    if inputs_.off {
+                        if evolutions_ == 8 {
                             self.situation = self.situation.marked();
                             break;
                         } else {
-                            now_state = __LampState::Off;
+                            now_state_ = __LampState::Off;
                         }
                     } else {
                         break;
@@ -80,24 +80,24 @@ impl Lamp {
                     break;
                 }
             }
-            self.situation = __LampStateMark::of(now_state);
+            self.situation = __LampStateMark::of(now_state_);
             self.situation = self.situation.unmarked();
-            self.edge0_before = edge0_now;
-            evolutions = evolutions.wrapping_add(1);
+            self.edge0_before = edge0_now_;
+            evolutions_ = evolutions_.wrapping_add(1);
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
         match self.situation.state() {
             __LampState::On | __LampState::Bright => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
         if !self.situation.is_marked() {
-            self.edge0_before = edge0_now;
+            self.edge0_before = edge0_now_;
         }
-        outputs
+        outputs_
     }
 }
 impl Lamp {
@@ -111,30 +111,30 @@ impl Lamp {
     #[allow(unused_assignments, unused_mut, unused_variables)]
     fn force(
         &mut self,
-        steps: &[LampStep],
-        inputs: &LampInputs,
+        steps_: &[LampStep],
+        inputs_: &LampInputs,
     ) -> Result<
         LampOutputs,
         ForceError<LampStep>,
     > {
         Possible::Alone
-            .look(<Self as Chart>::STEPS, steps)?;
-        let mut forced0: Option<__LampState> = Option::None;
-        for step in steps {
-            match *step {
+            .look(<Self as Chart>::STEPS, steps_)?;
+        let mut forced0_: Option<__LampState> = Option::None;
+        for step_ in steps_ {
+            match *step_ {
                 LampStep::Off => {
-                    forced0 = Option::Some(__LampState::Off);
+                    forced0_ = Option::Some(__LampState::Off);
                 }
                 LampStep::On => {
-                    forced0 = Option::Some(__LampState::On);
+                    forced0_ = Option::Some(__LampState::On);
                 }
                 LampStep::Bright => {
-                    forced0 = Option::Some(__LampState::Bright);
+                    forced0_ = Option::Some(__LampState::Bright);
                 }
             }
         }
-        let forced0 = match forced0 {
-            Option::Some(state) => state,
+        let forced0_ = match forced0_ {
+            Option::Some(state_) => state_,
             Option::None => {
                 return Result::Err(
                     ForceError::NoSituation,
@@ -142,24 +142,24 @@ impl Lamp {
             }
         };
         Result::Ok({
-            let mut outputs = LampOutputs { lamp: false };
-            let first: bool = self.situation.state()
+            let mut outputs_ = LampOutputs { lamp: false };
+            let first_: bool = self.situation.state()
                 == __LampState::INIT;
-            let mut edge0_now: bool = inputs.next;
-            self.situation = self.situation.with(forced0);
-            self.edge0_before = edge0_now;
-            let mut evolutions: u32 = 0;
-            evolutions = evolutions.wrapping_add(1);
-            let was_state: __LampState = self.situation.state();
-            edge0_now = inputs.next;
-            if first && evolutions == 0 {
-                self.edge0_before = edge0_now;
+            let mut edge0_now_: bool = inputs_.next;
+            self.situation = self.situation.with(forced0_);
+            self.edge0_before = edge0_now_;
+            let mut evolutions_: u32 = 0;
+            evolutions_ = evolutions_.wrapping_add(1);
+            let was_state_: __LampState = self.situation.state();
+            edge0_now_ = inputs_.next;
+            if first_ && evolutions_ == 0 {
+                self.edge0_before = edge0_now_;
             }
             self.situation = self.situation.unmarked();
-            let next_lamp: bool = was_state == __LampState::On
-                || was_state == __LampState::Bright;
-            outputs.lamp = next_lamp;
-            outputs
+            let next_lamp_: bool = was_state_ == __LampState::On
+                || was_state_ == __LampState::Bright;
+            outputs_.lamp = next_lamp_;
+            outputs_
         })
     }
 }

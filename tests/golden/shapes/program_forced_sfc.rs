@@ -1,37 +1,37 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Lamp {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
         &mut self,
-        inputs: &LampInputs,
-        now: impl core::convert::Into<Ticks>,
+        inputs_: &LampInputs,
+        now_: impl core::convert::Into<Ticks>,
     ) -> LampOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = LampOutputs { lamp: false };
-        self.reading = now;
+        let mut outputs_ = LampOutputs { lamp: false };
+        self.reading = now_;
         match self.situation {
             __LampState::INIT => {
                 self.situation = __LampState::Off;
-                self.since = now;
+                self.since = now_;
                 self.settled = false;
             }
             __LampState::Off => {
-                if inputs.on {
+                if inputs_.on {
                     self.situation = __LampState::On;
-                    self.since = now;
+                    self.since = now_;
                     self.settled = false;
                 } else {
                     self.settled = true;
                 }
             }
             __LampState::On => {
-                if now.since(self.since) >= Ticks::new(5000u32) {
+                if now_.since(self.since) >= Ticks::new(5000u32) {
                     self.situation = __LampState::Off;
-                    self.since = now;
+                    self.since = now_;
                     self.settled = false;
                 } else {
                     self.settled = true;
@@ -40,11 +40,11 @@ impl Lamp {
         }
         match self.situation {
             __LampState::On => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }
 impl Lamp {
@@ -58,31 +58,31 @@ impl Lamp {
     #[allow(unused_assignments, unused_mut, unused_variables)]
     fn force(
         &mut self,
-        steps: &[LampStep],
-        inputs: &LampInputs,
-        now: impl core::convert::Into<Ticks>,
+        steps_: &[LampStep],
+        inputs_: &LampInputs,
+        now_: impl core::convert::Into<Ticks>,
     ) -> Result<
         LampOutputs,
         ForceError<LampStep>,
     > {
         Possible::Alone
-            .look(<Self as Chart>::STEPS, steps)?;
-        let now: Ticks = core::convert::Into::into(
-            now,
+            .look(<Self as Chart>::STEPS, steps_)?;
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut forced0: Option<__LampState> = Option::None;
-        for step in steps {
-            match *step {
+        let mut forced0_: Option<__LampState> = Option::None;
+        for step_ in steps_ {
+            match *step_ {
                 LampStep::Off => {
-                    forced0 = Option::Some(__LampState::Off);
+                    forced0_ = Option::Some(__LampState::Off);
                 }
                 LampStep::On => {
-                    forced0 = Option::Some(__LampState::On);
+                    forced0_ = Option::Some(__LampState::On);
                 }
             }
         }
-        let forced0 = match forced0 {
-            Option::Some(state) => state,
+        let forced0_ = match forced0_ {
+            Option::Some(state_) => state_,
             Option::None => {
                 return Result::Err(
                     ForceError::NoSituation,
@@ -90,34 +90,35 @@ impl Lamp {
             }
         };
         Result::Ok({
-            let mut outputs = LampOutputs { lamp: false };
-            let first: bool = self.situation == __LampState::INIT;
-            if first {
+            let mut outputs_ = LampOutputs { lamp: false };
+            let first_: bool = self.situation == __LampState::INIT;
+            if first_ {
                 self.situation = __LampState::Off;
             }
-            self.reading = now;
-            if first {
-                self.since = now;
+            self.reading = now_;
+            if first_ {
+                self.since = now_;
             }
-            let was_state: __LampState = self.situation;
-            let entered_off: bool = forced0 == __LampState::Off
-                && (first || was_state != __LampState::Off);
-            let entered_on: bool = forced0 == __LampState::On
-                && (first || was_state != __LampState::On);
-            self.situation = forced0;
-            if entered_off || entered_on {
-                self.since = now;
+            let was_state_: __LampState = self.situation;
+            let entered_off_: bool = forced0_ == __LampState::Off
+                && (first_ || was_state_ != __LampState::Off);
+            let entered_on_: bool = forced0_ == __LampState::On
+                && (first_ || was_state_ != __LampState::On);
+            self.situation = forced0_;
+            if entered_off_ || entered_on_ {
+                self.since = now_;
             }
-            let on_on_0_: bool = self.situation == __LampState::On;
-            let q_lamp: bool = on_on_0_;
-            outputs.lamp = q_lamp;
-            if was_state == __LampState::On && self.situation == __LampState::On
-                && now.since(self.since) >= Ticks::new(5000u32)
+            let on_on_0__: bool = self.situation
+                == __LampState::On;
+            let q_lamp_: bool = on_on_0__;
+            outputs_.lamp = q_lamp_;
+            if was_state_ == __LampState::On && self.situation == __LampState::On
+                && now_.since(self.since) >= Ticks::new(5000u32)
             {
-                self.since = now.since(Ticks::new(5000u32));
+                self.since = now_.since(Ticks::new(5000u32));
             }
             self.settled = false;
-            outputs
+            outputs_
         })
     }
 }

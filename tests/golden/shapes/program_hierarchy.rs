@@ -1,85 +1,86 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Cell {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
         &mut self,
-        inputs: &CellInputs,
-        now: impl core::convert::Into<Ticks>,
+        inputs_: &CellInputs,
+        now_: impl core::convert::Into<Ticks>,
     ) -> CellOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = CellOutputs {
+        let mut outputs_ = CellOutputs {
             alarm: false,
             valve: false,
             mixer: false,
             batches: 0,
         };
-        let first: bool = self.region_0 == __CellRegion0::INIT;
-        if first {
+        let first_: bool = self.region_0 == __CellRegion0::INIT;
+        if first_ {
             self.region_0 = __CellRegion0::Idle;
         }
-        let edge0_now: bool = inputs.ack;
-        if first {
-            self.edge0_before = edge0_now;
+        let edge0_now_: bool = inputs_.ack;
+        if first_ {
+            self.edge0_before = edge0_now_;
         }
-        let inputs = core::hint::black_box(inputs);
+        let inputs_ = core::hint::black_box(inputs_);
         loop {
-            let mut moves_39_: bool = false;
+            let mut moves_39__: bool = false;
             match self.region_0 {
                 __CellRegion0::Stopped => {
-                    if !inputs.estop && !self.edge0_before && edge0_now {
-                        moves_39_ = true;
+                    if !inputs_.estop && !self.edge0_before && edge0_now_ {
+                        moves_39__ = true;
                         self.region_0 = __CellRegion0::Restart;
                     }
                 }
                 __CellRegion0::Restart => {
                     self.region_0 = __CellRegion0::Idle;
-                    moves_39_ = true;
+                    moves_39__ = true;
                 }
                 _ => {
-                    if inputs.estop {
-                        moves_39_ = true;
+                    if inputs_.estop {
+                        moves_39__ = true;
                         self.region_0 = __CellRegion0::Stopped;
                         self.region_3 = __CellRegion3::NONE;
                     } else {
                         match self.region_0 {
                             __CellRegion0::Idle => {
-                                if inputs.start {
-                                    moves_39_ = true;
+                                if inputs_.start {
+                                    moves_39__ = true;
                                     self.region_0 = __CellRegion0::Fill;
                                     self.region_3 = __CellRegion3::Mix;
-                                    self.since_mix = now;
+                                    self.since_mix = now_;
                                 }
                             }
                             _ => {
-                                if self.region_0 == __CellRegion0::Filled && !inputs.start {
-                                    moves_39_ = true;
+                                if self.region_0 == __CellRegion0::Filled && !inputs_.start
+                                {
+                                    moves_39__ = true;
                                     self.region_0 = __CellRegion0::Idle;
                                     self.region_3 = __CellRegion3::NONE;
                                 } else {
                                     match self.region_0 {
                                         __CellRegion0::Fill => {
-                                            if inputs.full {
+                                            if inputs_.full {
                                                 self.region_0 = __CellRegion0::Settle;
-                                                let next_batches: core::primitive::u16 = {
+                                                let next_batches_: core::primitive::u16 = {
                                                     #[allow(unused_variables)]
                                                     let batches = self.batches;
                                                     batches.wrapping_add(1)
                                                 };
-                                                moves_39_ = true;
-                                                self.batches = next_batches;
-                                                self.since_fill = now;
+                                                moves_39__ = true;
+                                                self.batches = next_batches_;
+                                                self.since_fill = now_;
                                             }
                                         }
                                         __CellRegion0::Settle => {
-                                            if now.since(self.since_fill)
+                                            if now_.since(self.since_fill)
                                                 >= Ticks::new(5000u32)
                                             {
                                                 self.region_0 = __CellRegion0::Filled;
-                                                moves_39_ = true;
+                                                moves_39__ = true;
                                             }
                                         }
                                         _ => {}
@@ -89,22 +90,22 @@ impl Cell {
                                     );
                                     match self.region_3 {
                                         __CellRegion3::Mix => {
-                                            if now.since(self.since_mix)
+                                            if now_.since(self.since_mix)
                                                 >= Ticks::new(10000u32)
                                             {
                                                 self.region_3 = __CellRegion3::Rest;
-                                                moves_39_ = true;
-                                                self.since_mix = now;
+                                                moves_39__ = true;
+                                                self.since_mix = now_;
                                             }
                                         }
                                         __CellRegion3::Rest => {
-                                            if inputs.start
-                                                && now.since(self.since_mix)
+                                            if inputs_.start
+                                                && now_.since(self.since_mix)
                                                     >= Ticks::new(2000u32)
                                             {
                                                 self.region_3 = __CellRegion3::Mix;
-                                                moves_39_ = true;
-                                                self.since_mix = now;
+                                                moves_39__ = true;
+                                                self.since_mix = now_;
                                             }
                                         }
                                         _ => {}
@@ -115,23 +116,23 @@ impl Cell {
                     }
                 }
             }
-            if !moves_39_ {
+            if !moves_39__ {
                 break;
             }
-            self.edge0_before = edge0_now;
+            self.edge0_before = edge0_now_;
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        self.edge0_before = edge0_now;
+        self.edge0_before = edge0_now_;
         match self.region_0 {
             __CellRegion0::Stopped => {
-                outputs.alarm = true;
+                outputs_.alarm = true;
             }
             _ => {
                 match self.region_0 {
                     __CellRegion0::Fill => {
-                        outputs.valve = true;
+                        outputs_.valve = true;
                     }
                     _ => {}
                 }
@@ -140,15 +141,15 @@ impl Cell {
                 );
                 match self.region_3 {
                     __CellRegion3::Mix => {
-                        outputs.mixer = true;
+                        outputs_.mixer = true;
                     }
                     __CellRegion3::Rest => {
-                        self.passed_mix = now.since(self.since_mix)
+                        self.passed_mix = now_.since(self.since_mix)
                             >= Ticks::new(2000u32);
-                        if now.since(self.since_mix)
+                        if now_.since(self.since_mix)
                             >= Ticks::new(2000u32)
                         {
-                            self.since_mix = now
+                            self.since_mix = now_
                                 .since(Ticks::new(2000u32));
                         }
                     }
@@ -156,7 +157,7 @@ impl Cell {
                 }
             }
         }
-        outputs.batches = self.batches;
-        outputs
+        outputs_.batches = self.batches;
+        outputs_
     }
 }

@@ -1,11 +1,11 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Long {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LongInputs) -> LongOutputs {
-        let mut outputs = LongOutputs { lamp: false };
-        let mut after: __LongState = self.situation;
+    fn cycle(&mut self, inputs_: &LongInputs) -> LongOutputs {
+        let mut outputs_ = LongOutputs { lamp: false };
+        let mut after_: __LongState = self.situation;
         'once: {
             #[derive(
                 core::clone::Clone,
@@ -16,7 +16,7 @@ impl Long {
                 K1,
                 K2,
             }
-            let kind: __Kind3 = {
+            let kind_: __Kind3 = {
                 const KINDS: [__Kind3; 25usize] = [
                     __Kind3::K1,
                     __Kind3::K2,
@@ -44,29 +44,29 @@ impl Long {
                     __Kind3::K2,
                     __Kind3::K0,
                 ];
-                match KINDS.get(self.situation as usize) {
-                    Option::Some(found) => *found,
+                match <[_]>::get(&KINDS, self.situation as usize) {
+                    Option::Some(found_) => *found_,
                     Option::None => KINDS[0],
                 }
             };
-            match kind {
+            match kind_ {
                 __Kind3::K0 => {}
                 __Kind3::K1 => {
-                    if !inputs.a {
+                    if !inputs_.a {
                         break 'once;
                     }
                 }
                 __Kind3::K2 => {
-                    if !inputs.b {
+                    if !inputs_.b {
                         break 'once;
                     }
                 }
             }
-            after = match after {
+            after_ = match after_ {
                 __LongState::S23 => __LongState::S0,
                 __LongState::INIT => __LongState::S0,
                 _ => {
-                    match after {
+                    match after_ {
                         __LongState::S0 => __LongState::S1,
                         __LongState::S1 => __LongState::S2,
                         __LongState::S2 => __LongState::S3,
@@ -95,14 +95,14 @@ impl Long {
                     }
                 }
             };
-            self.situation = after;
+            self.situation = after_;
         }
-        match after {
+        match after_ {
             __LongState::S5 => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

@@ -1,11 +1,11 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Long {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LongInputs) -> LongOutputs {
-        let mut outputs = LongOutputs { lamp: false };
-        let mut after: __LongState = self.situation;
+    fn cycle(&mut self, inputs_: &LongInputs) -> LongOutputs {
+        let mut outputs_ = LongOutputs { lamp: false };
+        let mut after_: __LongState = self.situation;
         'once: {
             match self.situation {
                 __LongState::INIT => {}
@@ -21,7 +21,7 @@ impl Long {
                 | __LongState::S18
                 | __LongState::S20
                 | __LongState::S22 => {
-                    if !inputs.a {
+                    if !inputs_.a {
                         break 'once;
                     }
                 }
@@ -37,12 +37,12 @@ impl Long {
                 | __LongState::S19
                 | __LongState::S21
                 | __LongState::S23 => {
-                    if !inputs.b {
+                    if !inputs_.b {
                         break 'once;
                     }
                 }
             }
-            after = {
+            after_ = {
                 const TABLE: [__LongState; 25usize] = [
                     __LongState::S1,
                     __LongState::S2,
@@ -70,19 +70,19 @@ impl Long {
                     __LongState::S0,
                     __LongState::S0,
                 ];
-                match TABLE.get(after as usize) {
-                    Option::Some(found) => *found,
-                    Option::None => after,
+                match <[_]>::get(&TABLE, after_ as usize) {
+                    Option::Some(found_) => *found_,
+                    Option::None => after_,
                 }
             };
-            self.situation = after;
+            self.situation = after_;
         }
-        match after {
+        match after_ {
             __LongState::S5 => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

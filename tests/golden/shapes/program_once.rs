@@ -1,34 +1,34 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Lamp {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
-        let mut outputs = LampOutputs { lamp: false };
+    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+        let mut outputs_ = LampOutputs { lamp: false };
         match self.situation {
             __LampState::INIT => {
                 self.situation = __LampState::Off;
-                if inputs.on {
+                if inputs_.on {
                     self.situation = __LampState::On;
                 }
             }
             __LampState::Off => {
-                if inputs.on {
+                if inputs_.on {
                     self.situation = __LampState::On;
                 }
             }
             __LampState::On => {
-                if !inputs.on {
+                if !inputs_.on {
                     self.situation = __LampState::Off;
                 }
             }
         }
         match self.situation {
             __LampState::On => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

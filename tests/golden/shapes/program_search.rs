@@ -1,39 +1,40 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Presses {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &PressesInputs) -> PressesOutputs {
-        let mut outputs = const {
+    fn cycle(&mut self, inputs_: &PressesInputs) -> PressesOutputs {
+        let mut outputs_ = const {
             PressesOutputs {
                 left: false,
                 right: false,
             }
         };
-        let inputs = core::hint::black_box(inputs);
+        let inputs_ = core::hint::black_box(inputs_);
         loop {
-            let mut moves_14_: bool = false;
+            let mut moves_14__: bool = false;
             match self.region_0 {
                 __PressesRegion0::Wait => {
-                    if inputs.start {
+                    if inputs_.start {
                         self.region_0 = __PressesRegion0::Left;
                         self.region_1 = __PressesRegion1::Right;
-                        moves_14_ = true;
+                        moves_14__ = true;
                     }
                 }
                 _ => {
                     if self.region_0 == __PressesRegion0::LeftReady
-                        && self.region_1 == __PressesRegion1::RightReady && !inputs.start
+                        && self.region_1 == __PressesRegion1::RightReady
+                        && !inputs_.start
                     {
-                        moves_14_ = true;
+                        moves_14__ = true;
                         self.region_1 = __PressesRegion1::NONE;
                         self.region_0 = __PressesRegion0::Wait;
                     } else {
                         match self.region_0 {
                             __PressesRegion0::Left => {
-                                if inputs.left_done {
+                                if inputs_.left_done {
                                     self.region_0 = __PressesRegion0::LeftReady;
-                                    moves_14_ = true;
+                                    moves_14__ = true;
                                 }
                             }
                             _ => {}
@@ -43,9 +44,9 @@ impl Presses {
                         );
                         match self.region_1 {
                             __PressesRegion1::Right => {
-                                if inputs.right_done {
+                                if inputs_.right_done {
                                     self.region_1 = __PressesRegion1::RightReady;
-                                    moves_14_ = true;
+                                    moves_14__ = true;
                                 }
                             }
                             _ => {}
@@ -53,7 +54,7 @@ impl Presses {
                     }
                 }
             }
-            if !moves_14_ {
+            if !moves_14__ {
                 break;
             }
         }
@@ -62,7 +63,7 @@ impl Presses {
         );
         match self.region_0 {
             __PressesRegion0::Left => {
-                outputs.left = true;
+                outputs_.left = true;
             }
             _ => {}
         }
@@ -71,10 +72,10 @@ impl Presses {
         );
         match self.region_1 {
             __PressesRegion1::Right => {
-                outputs.right = true;
+                outputs_.right = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

@@ -1,37 +1,37 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Lamp {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
-        let mut outputs = LampOutputs { lamp: false };
-        let after: __LampState;
+    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+        let mut outputs_ = LampOutputs { lamp: false };
+        let after_: __LampState;
         match self.situation {
             __LampState::INIT => {
-                after = __LampState::Off;
+                after_ = __LampState::Off;
             }
             __LampState::Off => {
-                if inputs.on {
-                    after = __LampState::On;
+                if inputs_.on {
+                    after_ = __LampState::On;
                 } else {
-                    after = __LampState::Off;
+                    after_ = __LampState::Off;
                 }
             }
             __LampState::On => {
-                if inputs.off {
-                    after = __LampState::Off;
+                if inputs_.off {
+                    after_ = __LampState::Off;
                 } else {
-                    after = __LampState::On;
+                    after_ = __LampState::On;
                 }
             }
         }
-        self.situation = after;
-        match after {
+        self.situation = after_;
+        match after_ {
             __LampState::On => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

@@ -1,57 +1,57 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Lamp {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
         &mut self,
-        inputs: &LampInputs,
-        now: impl core::convert::Into<Ticks>,
+        inputs_: &LampInputs,
+        now_: impl core::convert::Into<Ticks>,
     ) -> LampOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = LampOutputs { lamp: false };
-        let was_state: __LampState = self.situation;
+        let mut outputs_ = LampOutputs { lamp: false };
+        let was_state_: __LampState = self.situation;
         self.before_state = self.situation;
-        self.reading = now;
-        let passed: Ticks = now.since(self.since);
+        self.reading = now_;
+        let passed_: Ticks = now_.since(self.since);
         match self.situation {
             __LampState::INIT => {
                 self.situation = __LampState::Off;
             }
             __LampState::Off => {
-                if inputs.on {
+                if inputs_.on {
                     self.situation = __LampState::On;
                 }
             }
             __LampState::On => {
-                if passed >= Ticks::new(5000u32) {
+                if passed_ >= Ticks::new(5000u32) {
                     self.situation = __LampState::Dim;
-                    outputs.lamp = true;
+                    outputs_.lamp = true;
                 }
             }
             __LampState::Dim => {
-                if !inputs.on && passed >= Ticks::new(3000u32) {
+                if !inputs_.on && passed_ >= Ticks::new(3000u32) {
                     self.situation = __LampState::Off;
                 } else {
-                    outputs.lamp = passed < Ticks::new(2000u32);
-                    if passed >= Ticks::new(3000u32) {
-                        self.since = now
+                    outputs_.lamp = passed_ < Ticks::new(2000u32);
+                    if passed_ >= Ticks::new(3000u32) {
+                        self.since = now_
                             .since(Ticks::new(3000u32));
                     }
                 }
             }
         }
-        if was_state != self.situation {
-            self.since = now;
+        if was_state_ != self.situation {
+            self.since = now_;
         }
         match self.situation {
             __LampState::On => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

@@ -1,17 +1,17 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
 impl Long {
-    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LongInputs) -> LongOutputs {
-        let mut outputs = LongOutputs { lamp: false };
-        let mut now_state: __LongState = self.situation.state();
-        self.situation = __LongStateMark::of(now_state);
+    fn cycle(&mut self, inputs_: &LongInputs) -> LongOutputs {
+        let mut outputs_ = LongOutputs { lamp: false };
+        let mut now_state_: __LongState = self.situation.state();
+        self.situation = __LongStateMark::of(now_state_);
         self.situation = self.situation.unmarked();
-        let inputs = core::hint::black_box(inputs);
-        let mut evolutions: u32 = 0;
+        let inputs_ = core::hint::black_box(inputs_);
+        let mut evolutions_: u32 = 0;
         loop {
-            match now_state {
+            match now_state_ {
                 __LongState::S0
                 | __LongState::S2
                 | __LongState::S4
@@ -24,7 +24,7 @@ impl Long {
                 | __LongState::S18
                 | __LongState::S20
                 | __LongState::S22 => {
-                    if !inputs.a {
+                    if !inputs_.a {
                         break;
                     }
                 }
@@ -40,12 +40,12 @@ impl Long {
                 | __LongState::S19
                 | __LongState::S21
                 | __LongState::S23 => {
-                    if !inputs.b {
+                    if !inputs_.b {
                         break;
                     }
                 }
             }
-            now_state = {
+            now_state_ = {
                 const TABLE: [__LongState; 24usize] = [
                     __LongState::S1,
                     __LongState::S2,
@@ -72,15 +72,15 @@ impl Long {
                     __LongState::S23,
                     __LongState::S0,
                 ];
-                match TABLE.get(now_state as usize) {
-                    Option::Some(found) => *found,
-                    Option::None => now_state,
+                match <[_]>::get(&TABLE, now_state_ as usize) {
+                    Option::Some(found_) => *found_,
+                    Option::None => now_state_,
                 }
             };
-            self.situation = __LongStateMark::of(now_state);
+            self.situation = __LongStateMark::of(now_state_);
             self.situation = self.situation.unmarked();
-            evolutions = evolutions.wrapping_add(1);
-            if evolutions == 50 {
+            evolutions_ = evolutions_.wrapping_add(1);
+            if evolutions_ == 50 {
                 self.situation = self.situation.marked();
                 break;
             }
@@ -88,12 +88,12 @@ impl Long {
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        match now_state {
+        match now_state_ {
             __LongState::S5 => {
-                outputs.lamp = true;
+                outputs_.lamp = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

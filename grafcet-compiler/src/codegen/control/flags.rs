@@ -11,11 +11,6 @@ use crate::place::quote;
 use crate::plan::{Target, What, source_order};
 use crate::sorted::Set;
 
-/// What holds the number of the association that acts under a qualifier.
-fn numbers(qualifier: Qualifier) -> String {
-    if qualifier.stores_at_once() { set_by(qualifier) } else { names::flag(qualifier).replace("flag", "number") }
-}
-
 /// The field that holds the number of the association that has set a flip-flop last.
 pub(in crate::codegen) fn set_by(qualifier: Qualifier) -> String {
     names::flag(qualifier).replace("flag", "set_by")
@@ -38,7 +33,7 @@ impl Cx<'_> {
         let flags = target.associations.iter().map(|id| self.model.associations[*id].qualifier);
         let flags: Set<Qualifier> = flags.collect();
         let flags = flags.iter().map(|qualifier| {
-            let flag = names::target(&names::flag(*qualifier), self.model, index, target);
+            let flag = names::target_local(&names::flag(*qualifier), self.model, index, target);
             quote!(let mut #flag = false;)
         });
         let restarts =
@@ -61,7 +56,7 @@ impl Cx<'_> {
             .into_iter()
             .filter(|qualifier| choice && seen_anew(qualifier) && chooses(qualifier))
             .map(|qualifier| {
-                let number = names::target(&numbers(qualifier), self.model, index, target);
+                let number = self.number(qualifier, index, target);
                 let ty = names::number_type(target.associations.len(), &self.p);
                 quote!(let mut #number: #ty = 0;)
             });
@@ -75,7 +70,7 @@ impl Cx<'_> {
     /// What one association adds to the flags of its target.
     fn gather(&self, id: AssociationId, index: usize) -> Item {
         let (association, target) = (&self.model.associations[id], &self.plan.control.targets[index]);
-        let flag = names::target(&names::flag(association.qualifier), self.model, index, target);
+        let flag = names::target_local(&names::flag(association.qualifier), self.model, index, target);
         let number = self.note_number(id, association, index, target);
         let mut set = quote!(#flag = true; #number);
         if target.remembers_time(self.model, association.qualifier) {
@@ -117,7 +112,7 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         let number = names::association_number(target, id);
-        let name = names::target(&numbers(qualifier), self.model, index, target);
+        let name = self.number(qualifier, index, target);
         match qualifier {
             _ if qualifier.runs_once() => quote!(#name = #number;),
             _ if !target.chooses_under(self.model, qualifier) => TokenStream::new(),
@@ -128,21 +123,28 @@ impl Cx<'_> {
 
     /// The association under a qualifier that acts while this drives Q; and for DS, what is done when its delay is over.
     pub(super) fn number_of(&self, index: usize, target: &Target, qualifier: Qualifier) -> (TokenStream, TokenStream) {
-        let name = |prefix: &str| names::target(prefix, self.model, index, target);
         if !target.chooses_under(self.model, qualifier) {
             let number = target.under(self.model, qualifier).next().map(|id| names::association_number(target, id));
             return (quote!(#number), TokenStream::new());
         }
-        let number = name(&numbers(qualifier));
+        let number = self.number(qualifier, index, target);
         match qualifier {
             Qualifier::Ds => {
-                let set_by = name(&set_by(qualifier));
-                let done = name("done_flag_ds");
+                let set_by = names::target(&set_by(qualifier), self.model, index, target);
+                let done = names::target_local("done_flag_ds", self.model, index, target);
                 (quote!(self.#set_by), quote!(if #done { self.#set_by = #number; }))
             }
             _ if qualifier.stores_at_once() => (quote!(self.#number), TokenStream::new()),
             _ => (number.to_token_stream(), TokenStream::new()),
         }
+    }
+
+    /// What holds the number of the association that acts under a qualifier: a field where the flip-flop remembers it, else a local.
+    fn number(&self, qualifier: Qualifier, index: usize, target: &Target) -> Ident {
+        if qualifier.stores_at_once() {
+            return names::target(&set_by(qualifier), self.model, index, target);
+        }
+        names::target_local(&names::flag(qualifier).replace("flag", "number"), self.model, index, target)
     }
 
     /// Several associations of the target give different calls.
@@ -163,7 +165,7 @@ impl Cx<'_> {
 
     /// The local that says that such a step has been re-entered.
     pub(super) fn restart(&self, index: usize, target: &Target, qualifier: Qualifier) -> Ident {
-        names::target(&format!("restart_{}", names::flag(qualifier)), self.model, index, target)
+        names::target_local(&format!("restart_{}", names::flag(qualifier)), self.model, index, target)
     }
 
     /// The qualifiers of the target that leaving a step can end, and a final call with them.
@@ -173,12 +175,13 @@ impl Cx<'_> {
 
     /// The local that says that a step with this qualifier has been left.
     pub(super) fn left(&self, index: usize, target: &Target, qualifier: Qualifier) -> Ident {
-        names::target(&format!("left_{}", names::flag(qualifier)), self.model, index, target)
+        names::target_local(&format!("left_{}", names::flag(qualifier)), self.model, index, target)
     }
 
     /// Whether the condition of an association held in the cycle before: the local, and the field.
     pub(super) fn held_before(&self, id: AssociationId, index: usize, target: &Target) -> (Ident, Ident) {
-        let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        (name(&format!("before_{}", names::held(target, id))), name(&names::held(target, id)))
+        let held = names::held(target, id);
+        let before = names::target_local(&format!("before_{held}"), self.model, index, target);
+        (before, names::target(&held, self.model, index, target))
     }
 }

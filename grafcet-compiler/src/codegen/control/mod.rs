@@ -40,7 +40,7 @@ impl Cx<'_> {
     /// ```
     fn q(&self, index: usize, target: &Target) -> TokenStream {
         let reset = if target.has(self.model, Qualifier::R) {
-            let flag = names::target(&names::flag(Qualifier::R), self.model, index, target);
+            let flag = names::target_local(&names::flag(Qualifier::R), self.model, index, target);
             quote!(#flag)
         } else {
             quote!(false)
@@ -59,7 +59,7 @@ impl Cx<'_> {
                 terms.push(term);
             }
         }
-        let q = names::target("q", self.model, index, target);
+        let q = names::target_local("q", self.model, index, target);
         let any = match target.what {
             // Where nothing sets it, it keeps its initial value until it is reset.
             What::Boolean(place) if terms.is_empty() => {
@@ -75,8 +75,8 @@ impl Cx<'_> {
 
     /// Remembers which association acts: the last in the source of those that alone would make Q true.
     fn note_acting(&self, index: usize, target: &Target, acting: &[(TokenStream, TokenStream)]) -> TokenStream {
-        let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        let (q, remembered) = (name("q"), name("association"));
+        let q = names::target_local("q", self.model, index, target);
+        let remembered = names::target("association", self.model, index, target);
         // The first of all is what it is anyway.
         let above: Vec<_> = acting.iter().filter(|(_, number)| number.to_string() != "0").cloned().list();
         let note = match (acting.len(), &above[..]) {
@@ -87,9 +87,9 @@ impl Cx<'_> {
                 let ty = names::number_type(target.associations.len(), &self.p);
                 let (terms, numbers): (Vec<_>, Vec<_>) = others.iter().cloned().unzip();
                 quote! {
-                    let mut acts: #ty = if #first { #number } else { 0 };
-                    #(if #terms && acts < #numbers { acts = #numbers; })*
-                    self.#remembered = acts;
+                    let mut acts_: #ty = if #first { #number } else { 0 };
+                    #(if #terms && acts_ < #numbers { acts_ = #numbers; })*
+                    self.#remembered = acts_;
                 }
             }
         };
@@ -105,21 +105,28 @@ impl Cx<'_> {
         reset: &TokenStream,
     ) -> (TokenStream, TokenStream) {
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        let flag = name(&names::flag(qualifier));
+        let local = |prefix: &str| names::target_local(prefix, self.model, index, target);
+        let flag = local(&names::flag(qualifier));
         let store = |input: &TokenStream| {
             let memory = name(&format!("memory_{}", names::flag(qualifier)));
             (quote!(self.#memory = (self.#memory || #input) && !#reset;), quote!(self.#memory))
         };
+        let p = &self.p;
         let timer = |input: &TokenStream| {
-            let (timer, done) =
-                (name(&format!("timer_{}", names::flag(qualifier))), name(&format!("done_{}", names::flag(qualifier))));
+            let (timer, done) = (
+                name(&format!("timer_{}", names::flag(qualifier))),
+                local(&format!("done_{}", names::flag(qualifier))),
+            );
             let restart = if self.restarts(target, qualifier) {
                 self.restart(index, target, qualifier).into_token_stream()
             } else {
                 quote!(false)
             };
             let time = self.target_time(index, target, qualifier);
-            (quote!(let #done = self.#timer.update(#input, #restart, #time, elapsed);), quote!(#done))
+            (
+                quote!(let #done = #p::OnDelay::update(&mut self.#timer, #input, #restart, #time, elapsed_);),
+                quote!(#done),
+            )
         };
         match qualifier {
             Qualifier::S => store(&quote!(#flag)),

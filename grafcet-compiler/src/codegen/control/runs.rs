@@ -41,9 +41,9 @@ impl Cx<'_> {
         if target.what != What::Runs {
             return TokenStream::new();
         }
-        let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        let p0 = target.has(self.model, Qualifier::P0).then(|| name(&names::flag(Qualifier::P0)));
-        let (q, kept) = (name("q"), name("kept_q"));
+        let local = |prefix: &str| names::target_local(prefix, self.model, index, target);
+        let p0 = target.has(self.model, Qualifier::P0).then(|| local(&names::flag(Qualifier::P0)));
+        let (q, kept) = (local("q"), names::target("kept_q", self.model, index, target));
         let falls = target.remembers_q.then(|| quote!(self.#kept && !#q));
         let leaving = self.by_leaving(index, target);
         let p0_run = |phase: TokenStream| self.run_at(index, target, &phase, RunKind::P0, Moment::Leaving);
@@ -65,15 +65,15 @@ impl Cx<'_> {
         if target.what != What::Runs || !target.has(self.model, Qualifier::P1) {
             return TokenStream::new();
         }
-        let p1 = names::target(&names::flag(Qualifier::P1), self.model, index, target);
+        let p1 = names::target_local(&names::flag(Qualifier::P1), self.model, index, target);
         let run = self.run(index, target, &quote!(First), RunKind::P1);
         quote!(if #p1 { #run })
     }
 
     /// What is left of a target: its value, or its run while Q holds, or the final call that no leaving has caused.
     pub(in crate::codegen) fn run_rest(&self, index: usize, target: &Target) -> TokenStream {
-        let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        let q = name("q");
+        let local = |prefix: &str| names::target_local(prefix, self.model, index, target);
+        let q = local("q");
         match target.what {
             What::Boolean(Place::Output(output)) => {
                 let local = names::output_local(self.model, output);
@@ -87,12 +87,13 @@ impl Cx<'_> {
             What::Runs if !target.remembers_q => return TokenStream::new(),
             What::Runs => {}
         }
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
         let kept = name("kept_q");
         let first = self.run(index, target, &quote!(First), RunKind::Level);
         let repeated = self.run(index, target, &quote!(Repeated), RunKind::Level);
         let last = self.run(index, target, &quote!(Final), RunKind::Level);
         let done = |qualifier, prefix: &str| {
-            target.has(self.model, qualifier).then(|| name(prefix)).map(|flag| quote!(&& !#flag))
+            target.has(self.model, qualifier).then(|| local(prefix)).map(|flag| quote!(&& !#flag))
         };
         let not_p1 = done(Qualifier::P1, &names::flag(Qualifier::P1));
         let not_p0 = done(Qualifier::P0, &names::flag(Qualifier::P0));
@@ -139,12 +140,12 @@ impl Cx<'_> {
         if !self.has_choice(target) || others.is_empty() {
             return self.unsettling_run(&self.model.associations[*last].effect, phase, moment);
         }
-        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let local = |prefix: &str| names::target_local(prefix, self.model, index, target);
         let number = match kind {
-            RunKind::P0 => name("number_p0").into_token_stream(),
+            RunKind::P0 => local("number_p0").into_token_stream(),
             RunKind::P1 => self.number_on_entry(index, target),
             RunKind::Level => {
-                let field = name("association");
+                let field = names::target("association", self.model, index, target);
                 quote!(self.#field)
             }
         };
@@ -158,12 +159,12 @@ impl Cx<'_> {
 
     /// P1 together with an active Q is one run, with the arguments of the last in the source of those that act.
     fn number_on_entry(&self, index: usize, target: &Target) -> TokenStream {
-        let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        let (q, p1) = (name("q"), name("number_p1"));
+        let local = |prefix: &str| names::target_local(prefix, self.model, index, target);
+        let (q, p1) = (local("q"), local("number_p1"));
         let levels = |id: &&AssociationId| self.model.associations[**id].qualifier.drives_q();
         let Some(level) = target.associations.iter().find(levels) else { return p1.into_token_stream() };
         let acts = if target.remembers_association {
-            let field = name("association");
+            let field = names::target("association", self.model, index, target);
             quote!(self.#field)
         } else if target.associations.first() == Some(level) {
             return p1.into_token_stream();
@@ -186,8 +187,8 @@ impl Cx<'_> {
                 let (field, value, p) = (names::place_field(model, *place), self.value(value, moment), &self.p);
                 let ty = model.place_ty(*place);
                 let rust = types::rust_type(ty, p);
-                let changes = types::compare(ty, &quote!(value), &quote!(!=), &quote!(self.#field), p);
-                quote!({ let value: #rust = #value; if #changes { #unsettle self.#field = value; } })
+                let changes = types::compare(ty, &quote!(value_), &quote!(!=), &quote!(self.#field), p);
+                quote!({ let value_: #rust = #value; if #changes { #unsettle self.#field = value_; } })
             }
             _ => {
                 let run = self.effect_run(effect, phase, moment);

@@ -63,9 +63,9 @@ impl<'m> Printer<'_, 'm> {
             Expr::Initial(place) => (self.initial(*place), Binds::Block),
             Expr::Input(id) => {
                 let name = &self.cx.model.inputs[*id].name;
-                (quote!(inputs.#name), Binds::Term)
+                (quote!(inputs_.#name), Binds::Term)
             }
-            Expr::Now => (quote!(now), Binds::Term),
+            Expr::Now => (quote!(now_), Binds::Term),
             Expr::Is(place, steps) => {
                 let state = self.get(*place);
                 let variants = steps.iter().map(|step| self.state(*place, *step)).list();
@@ -157,7 +157,7 @@ impl<'m> Printer<'_, 'm> {
         };
         let found = quote!({
             const KINDS: [#name; #length] = [#(#kinds),*];
-            match KINDS.get(#state as #p::usize) { #p::Option::Some(found) => *found, #p::Option::None => KINDS[0] }
+            match <[_]>::get(&KINDS, #state as #p::usize) { #p::Option::Some(found_) => *found_, #p::Option::None => KINDS[0] }
         });
         (declared, found)
     }
@@ -181,7 +181,7 @@ impl<'m> Printer<'_, 'm> {
             }
             return quote!(#p::Ticks::new({
                 const TABLE: [#held; #length] = [#(#times),*];
-                match TABLE.get(#state as #p::usize) { #p::Option::Some(found) => #p::u32::from(*found), #p::Option::None => 0 }
+                match <[_]>::get(&TABLE, #state as #p::usize) { #p::Option::Some(found_) => #p::u32::from(*found_), #p::Option::None => 0 }
             }));
         }
         if let Some(computed) = self.in_order_but(place, &states, &of_state) {
@@ -194,7 +194,7 @@ impl<'m> Printer<'_, 'm> {
         let held = self.ty(place);
         quote!({
             const TABLE: [#held; #length] = [#(#values),*];
-            match TABLE.get(#state as #p::usize) { #p::Option::Some(found) => *found, #p::Option::None => #state }
+            match <[_]>::get(&TABLE, #state as #p::usize) { #p::Option::Some(found_) => *found_, #p::Option::None => #state }
         })
     }
 
@@ -250,11 +250,11 @@ impl<'m> Printer<'_, 'm> {
 
 /// The name of the type of some kinds, which stands beside Rust of the user.
 pub(super) fn kind_type(ty: Type<'_>) -> Ident {
-    let Type::Kind { list, .. } = ty else { return names::local("__Kind") };
-    names::local(&format!("__Kind{list}"))
+    let Type::Kind { list, .. } = ty else { return names::own("__Kind") };
+    names::own(&format!("__Kind{list}"))
 }
 
 /// The name of one of them.
 pub(super) fn kind_variant(kind: i128) -> Ident {
-    names::local(&format!("K{kind}"))
+    names::own(&format!("K{kind}"))
 }

@@ -85,7 +85,8 @@ impl Layout {
                 Role::Output(id) if kind == Kind::Result => cx.model.outputs[id].name.clone(),
                 Role::State(region) => names::region_field(region, cx.plan),
                 Role::Asked(region) => force::asked(region),
-                _ => names::local(&free(&place.name, &mut taken[usize::from(kind == Kind::Local)])),
+                _ if kind == Kind::Local => names::local(&free(&place.name, &mut taken[1])),
+                _ => names::own(&free(&place.name, &mut taken[0])),
             };
             if let (Initial::Value(value), false) = (place.initial, kind == Kind::Unused) {
                 used.state(place.ty, value);
@@ -177,7 +178,7 @@ impl Layout {
 
 /// The field with the bits of all steps.
 pub(super) fn flags() -> Ident {
-    names::local("situation")
+    names::own("situation")
 }
 
 /// The bit of a step: the field, its byte, and the mask.

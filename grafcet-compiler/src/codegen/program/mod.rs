@@ -110,7 +110,7 @@ impl<'m> Printer<'_, 'm> {
             let Some(place) = place else { continue };
             if self.layout.is_kept(place) {
                 let value = self.get(place);
-                last.extend(quote!(outputs.#name = #value;));
+                last.extend(quote!(outputs_.#name = #value;));
             }
             if self.layout.is_kept(place) || self.layout.is_result(place) {
                 mutable = Some(quote!(mut));
@@ -122,7 +122,7 @@ impl<'m> Printer<'_, 'm> {
         {
             first = quote!(const { #first });
         }
-        quote!(let #mutable outputs = #first; #body #last outputs)
+        quote!(let #mutable outputs_ = #first; #body #last outputs_)
     }
 
     fn deadline(&self, deadline: &program::Deadline<'m>) -> Deadline {
@@ -132,9 +132,9 @@ impl<'m> Printer<'_, 'm> {
         for Wait { condition, from, time } in &deadline.waits {
             let (condition, from, time) = (self.condition(condition), self.get(*from), self.value(time));
             waits.extend(if is_one {
-                quote!(if #condition { soonest = #p::sooner(soonest, #p::Option::Some(#time)); })
+                quote!(if #condition { soonest_ = #p::sooner(soonest_, #p::Option::Some(#time)); })
             } else {
-                quote!(if #condition { soonest = #p::earlier(soonest, #from.after(#time)); })
+                quote!(if #condition { soonest_ = #p::earlier(soonest_, #from.after(#time)); })
             });
         }
         let reading = self.value(&deadline.reading);
@@ -196,7 +196,7 @@ impl<'m> Printer<'_, 'm> {
                 let (field, state) = (names::region_field(region, cx.plan), state(region));
                 let Some(Start(seen)) = self.layout.regions[region].start else { return quote!(#field: #state,) };
                 let (start, seen) = (self.start(region), self.variant(seen, region));
-                quote!(#field: match #state { #start => #seen, entered => entered },)
+                quote!(#field: match #state { #start => #seen, entered_ => entered_ },)
             });
             return quote!(#name { #(#regions)* });
         }

@@ -24,7 +24,7 @@ impl<'m> Printer<'_, 'm> {
         match kind {
             Kind::Unused => self.initial(place),
             Kind::Local | Kind::Asked => name.to_token_stream(),
-            Kind::Result => quote!(outputs.#name),
+            Kind::Result => quote!(outputs_.#name),
             Kind::Field => quote!(self.#name),
             Kind::Late => {
                 let initial = self.initial(place);
@@ -49,7 +49,7 @@ impl<'m> Printer<'_, 'm> {
         match kind {
             Kind::Unused => quote!(let _ = #value;),
             Kind::Local | Kind::Asked => quote!(#name = #value;),
-            Kind::Result => quote!(outputs.#name = #value;),
+            Kind::Result => quote!(outputs_.#name = #value;),
             Kind::Field => quote!(self.#name = #value;),
             Kind::Late => {
                 let p = &self.cx.p;

@@ -116,7 +116,7 @@ impl<'m> Printer<'_, 'm> {
             let (name, value) = (is_next.then_some(&output.name)?, self.constant(*value, Type::Bool));
             fields.extend(quote!(#name: #value,));
         }
-        Some((quote!(outputs = const { #name { #fields } };), count))
+        Some((quote!(outputs_ = const { #name { #fields } };), count))
     }
 
     fn statement(&self, statement: &Statement<'m>, number: usize, lines: &mut Lines<'_>) -> TokenStream {
@@ -145,11 +145,11 @@ impl<'m> Printer<'_, 'm> {
             Statement::Call(action, phase, args) => {
                 let (name, phase) = (&self.cx.model.actions[*action].name, self.value(phase));
                 let args = args.iter().map(|arg| self.value(arg)).list();
-                quote!(actions.#name(#phase, #(#args),*);)
+                quote!(actions_.#name(#phase, #(#args),*);)
             }
             Statement::Fence(Fence::Inputs) => {
                 let p = &self.cx.p;
-                quote!(let inputs = #p::core::hint::black_box(inputs);)
+                quote!(let inputs_ = #p::core::hint::black_box(inputs_);)
             }
             Statement::Fence(Fence::Memory) => {
                 let p = &self.cx.p;

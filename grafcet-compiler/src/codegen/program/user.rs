@@ -24,7 +24,7 @@ impl<'m> Printer<'_, 'm> {
         // An input alone needs no binding: the user's own token names the field.
         if let (true, Some(name)) = (is_input(user), plain_name(tokens)) {
             // Located there, so that a type error stands there.
-            return quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name);
+            return quote_spanned!(Span::call_site().located_at(name.span())=> inputs_.#name);
         }
         if !user.binds.is_empty() && self.cx.is_logic(user.tree) {
             return self.cx.with_inputs(tokens.to_token_stream());

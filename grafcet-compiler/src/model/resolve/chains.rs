@@ -309,23 +309,6 @@ impl Resolver<'_> {
         self.sink.rule(rule, &[], vec![(*mark, message.to_owned())]);
     }
 
-    /// `-[x]-> A;` and `A -[x]->;`: an arc was forgotten, in either dialect.
-    pub(super) fn forgotten(&mut self, node: &Node, end: End) {
-        let Node::Forgotten(mark) = node else { return };
-        let (rule, message) = match end {
-            End::Source => {
-                (&rules::SOURCE_TRANSITION, "no step stands in front of this transition; name it: `A -[x]-> …`")
-            }
-            End::Target => (&rules::SINK_TRANSITION, "no step stands after this transition; name it: `… -[x]-> A`"),
-        };
-        let message = match (self.model.dialect, end) {
-            (Dialect::Sfc, _) => message.to_owned(),
-            (Dialect::Grafcet, End::Source) => format!("{message}; one without is written `() -[x]-> …`"),
-            (Dialect::Grafcet, End::Target) => format!("{message}; one without is written `… -[x]-> ()`"),
-        };
-        self.sink.rule(rule, &[], vec![(*mark, message)]);
-    }
-
     /// The steps that are named in items that could not be parsed are not on their own for all we know; and one of these
     /// items may be the initial step.
     pub(super) fn lost_items(&mut self, body: &ast::Body) {

@@ -116,6 +116,9 @@ impl<'r, 's> Lower<'r, 's> {
                 let Some(operator) = operator(&binary.op) else {
                     return if self.refuses_write(&binary.left) { Tree::Bool(true) } else { self.opaque(expr) };
                 };
+                if self.compares_with_step(operator, binary) {
+                    return Tree::Bool(true);
+                }
                 let left = self.lower(&mut binary.left);
                 let right = self.lower(&mut binary.right);
                 self.units(binary, &left, &right);

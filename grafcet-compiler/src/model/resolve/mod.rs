@@ -13,6 +13,7 @@ mod delay;
 mod exclusion;
 mod expr;
 mod foreign;
+mod forgotten;
 mod habits;
 mod misplaced;
 mod modes;
@@ -60,6 +61,7 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         alone: Vec::new(),
         drawn: Set::new(),
         elses: Vec::new(),
+        forgotten: 0,
         unread: chart.incomplete,
         pure: Vec::new(),
         calls: 0,
@@ -71,6 +73,7 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
     resolver.resolve_withins();
     resolver.check_lets();
     chains::drawn(&chart.body, &mut resolver.drawn);
+    resolver.scope.name_the_nameless(&resolver.drawn);
     let mut cursor = Cursor::default();
     resolver.anys(&chart.body, PartialId::new(0));
     resolver.body(&chart.body, PartialId::new(0), &mut cursor);
@@ -110,6 +113,8 @@ pub(super) struct Resolver<'s> {
     drawn: Set<String>,
     /// The transitions whose condition is `else`.
     elses: Vec<TransitionId>,
+    /// How many transitions lack a step in front of them or behind.
+    forgotten: usize,
     /// Something of the source could not be parsed, and is missing.
     unread: bool,
     /// The functions, methods and macros that the chart says are pure, and whether it calls them.
@@ -196,6 +201,7 @@ impl Resolver<'_> {
     /// The second pass over a body, in source order.
     fn body(&mut self, body: &ast::Body, partial: PartialId, cursor: &mut Cursor) {
         self.lost_items(body);
+        let forgotten = self.forgotten;
         for item in &body.items {
             match item {
                 ast::Item::Decl(decl) => {
@@ -217,6 +223,7 @@ impl Resolver<'_> {
                 ast::Item::Partial(inner) => self.partial(inner, cursor),
             }
         }
+        self.touched_by_forgotten(partial, self.forgotten - forgotten);
     }
 
     fn partial(&mut self, partial: &ast::Partial, cursor: &mut Cursor) {

@@ -8,7 +8,7 @@ use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::{List, PushAll};
 use crate::model::{ActionId, LetId, MacroId, Name, PartialId, StepId};
 use crate::similar;
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// What a name in an expression or after a qualifier means.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -47,6 +47,9 @@ pub(super) struct Scope {
     modes: Vec<Ident>,
     /// Names that a broken item would have declared: no error about them, its own error says enough.
     broken: Vec<Ident>,
+    /// How many steps lack their name, and names that can be theirs: no error about these either.
+    nameless_steps: usize,
+    theirs: Set<String>,
     /// The plants of the call, at which the chart cannot look.
     plants: Vec<String>,
     /// The declarations that names lack, at all their places what the first of them asks for.
@@ -83,6 +86,20 @@ impl Scope {
     /// Takes note of the names of items that could not be parsed.
     pub(super) fn add_broken(&mut self, body: &Body) {
         self.broken.push_all(body.broken.iter().cloned());
+        self.nameless_steps += body.nameless_steps;
+    }
+
+    /// Names in chains that no step has belong to the steps without a name, where there are enough of these.
+    pub(super) fn name_the_nameless(&mut self, drawn: &Set<String>) {
+        let unknown = |name: &&String| {
+            let name = name.trim_start_matches("r#");
+            self.names.get(name).is_none() && !self.broken.iter().any(|broken| key(broken) == name)
+        };
+        let unknown: Set<String> =
+            drawn.iter().filter(unknown).map(|name| name.trim_start_matches("r#").to_owned()).collect();
+        if unknown.len() <= self.nameless_steps {
+            self.theirs = unknown;
+        }
     }
 
     /// Declares `name`; `false` if it is taken. A reserved one is reported and declared all the same, so that its uses
@@ -241,7 +258,7 @@ impl Scope {
 
     /// Whether a broken item would have declared the name.
     pub(super) fn is_broken(&self, name: &Ident) -> bool {
-        self.broken.iter().any(|b| name == b)
+        self.broken.iter().any(|b| name == b) || self.theirs.contains(&key(name))
     }
 
     /// Whether a name that may be one of the surrounding Rust is rather a slip of the pen: `Endlage_vron`.

@@ -45,6 +45,31 @@ impl Resolver<'_> {
 }
 
 impl Lower<'_, '_> {
+    /// Whether a value of a type of the program is compared with a step: with a variant that is called so, most likely.
+    pub(super) fn compares_with_step(&mut self, operator: Binary, binary: &syn::ExprBinary) -> bool {
+        let meaning = |expr: &syn::Expr| {
+            let name = single_name(expr).filter(|name| !self.locals.contains(name))?;
+            Some((self.resolver.scope.get(&name)?, name))
+        };
+        let (left, right) = (meaning(&binary.left), meaning(&binary.right));
+        let ((Some((Meaning::Value(value), _)), Some((Meaning::Step(_) | Meaning::Macro(_), step)))
+        | (Some((Meaning::Step(_) | Meaning::Macro(_), step)), Some((Meaning::Value(value), _)))) = (left, right)
+        else {
+            return false;
+        };
+        let Ty::Other(syn::Type::Path(ty)) = self.resolver.model.ty(value) else { return false };
+        let Some(enumeration) = ty.path.segments.last().map(|last| last.ident.to_string()) else { return false };
+        if !matches!(operator, Binary::Eq | Binary::Ne) || self.resolver.model.ty(value).is_float() {
+            return false;
+        }
+        let message = format!(
+            "`{step}` is a step here, also where a variant of `{enumeration}` is called so; write the variant with its enum: \
+             `{enumeration}::{step}`"
+        );
+        self.resolver.sink.notation(&step, message);
+        true
+    }
+
     /// The operands of a comparison, where one of them may be a value with listed variants.
     pub(super) fn compared(&mut self, operator: Binary, binary: &syn::ExprBinary, sides: (Tree, Tree)) -> (Tree, Tree) {
         let (left, right) = sides;

@@ -9,59 +9,59 @@ impl Sorter {
     pub const fn new() -> Self {
         Self::with_params(SorterParams::new())
     }
-    pub const fn with_params(params: SorterParams) -> Self {
+    pub const fn with_params(params_: SorterParams) -> Self {
         Self {
             situation: __SorterState::INIT,
             z: false,
-            params,
+            params: params_,
         }
     }
 }
 impl Sorter {
-    pub fn cycle(&mut self, inputs: &SorterInputs) -> SorterOutputs {
-        let mut outputs = const {
+    pub fn cycle(&mut self, inputs_: &SorterInputs) -> SorterOutputs {
+        let mut outputs_ = const {
             SorterOutputs {
                 feed: false,
                 keep: false,
                 reject: false,
             }
         };
-        let after: __SorterState;
+        let after_: __SorterState;
         match self.situation {
             __SorterState::INIT => {
-                after = __SorterState::Feed;
+                after_ = __SorterState::Feed;
             }
             __SorterState::Feed => {
-                if inputs.piece {
-                    after = __SorterState::Measure;
+                if inputs_.piece {
+                    after_ = __SorterState::Measure;
                 } else {
-                    after = __SorterState::Feed;
+                    after_ = __SorterState::Feed;
                 }
             }
             __SorterState::Measure => {
                 if self.z {
-                    after = __SorterState::Keep;
+                    after_ = __SorterState::Keep;
                 } else {
-                    after = __SorterState::Reject;
+                    after_ = __SorterState::Reject;
                 }
             }
             __SorterState::Keep | __SorterState::Reject => {
-                if !inputs.piece {
-                    after = __SorterState::Feed;
+                if !inputs_.piece {
+                    after_ = __SorterState::Feed;
                 } else {
-                    after = self.situation;
+                    after_ = self.situation;
                 }
             }
         }
-        self.situation = after;
-        match after {
+        self.situation = after_;
+        match after_ {
             __SorterState::Feed => {
-                outputs.feed = true;
+                outputs_.feed = true;
             }
             __SorterState::Measure => {
                 self.z = {
                     #[allow(unused_variables)]
-                    let length = inputs.length;
+                    let length = inputs_.length;
                     #[allow(unused_variables)]
                     let nominal = self.params.nominal;
                     #[allow(unused_variables)]
@@ -70,13 +70,13 @@ impl Sorter {
                 };
             }
             __SorterState::Keep => {
-                outputs.keep = true;
+                outputs_.keep = true;
             }
             __SorterState::Reject => {
-                outputs.reject = true;
+                outputs_.reject = true;
             }
             _ => {}
         }
-        outputs
+        outputs_
     }
 }

@@ -11,55 +11,55 @@ impl Line24V {
     }
 }
 impl Line24V {
-    pub fn cycle(&mut self, inputs: &Line24VInputs) -> Line24VOutputs {
-        let mut outputs = const {
+    pub fn cycle(&mut self, inputs_: &Line24VInputs) -> Line24VOutputs {
+        let mut outputs_ = const {
             Line24VOutputs {
                 q1: false,
                 q2: false,
                 q3: false,
             }
         };
-        let mut now_state: __Line24VState = self.situation.state();
-        self.situation = __Line24VStateMark::of(now_state);
+        let mut now_state_: __Line24VState = self.situation.state();
+        self.situation = __Line24VStateMark::of(now_state_);
         self.situation = self.situation.unmarked();
-        let mut evolutions: u32 = 0;
+        let mut evolutions_: u32 = 0;
         loop {
-            let inputs = core::hint::black_box(inputs);
+            let inputs_ = core::hint::black_box(inputs_);
             fence_on_armv6m();
-            match now_state {
+            match now_state_ {
                 __Line24VState::S1 => {
-                    if inputs.b1 {
-                        now_state = __Line24VState::S2;
+                    if inputs_.b1 {
+                        now_state_ = __Line24VState::S2;
                     } else {
                         break;
                     }
                 }
                 __Line24VState::S2 => {
-                    if inputs.b2 {
-                        now_state = __Line24VState::S3;
+                    if inputs_.b2 {
+                        now_state_ = __Line24VState::S3;
                     } else {
                         break;
                     }
                 }
                 __Line24VState::S3 => {
-                    if inputs.b3 {
-                        now_state = __Line24VState::S4;
+                    if inputs_.b3 {
+                        now_state_ = __Line24VState::S4;
                     } else {
                         break;
                     }
                 }
                 __Line24VState::S4 => {
-                    if inputs.b4 {
-                        now_state = __Line24VState::S1;
+                    if inputs_.b4 {
+                        now_state_ = __Line24VState::S1;
                     } else {
                         break;
                     }
                 }
             }
-            self.situation = __Line24VStateMark::of(now_state);
+            self.situation = __Line24VStateMark::of(now_state_);
             self.situation = self.situation.unmarked();
-            evolutions = evolutions.wrapping_add(1);
-            if evolutions == 10 {
+            evolutions_ = evolutions_.wrapping_add(1);
+            if evolutions_ == 10 {
                 self.situation = self.situation.marked();
                 break;
             }
@@ -69,7 +69,7 @@ impl Line24V {
         );
         match self.situation.state() {
             __Line24VState::S1 => {
-                outputs = const {
+                outputs_ = const {
                     Line24VOutputs {
                         q1: true,
                         q2: false,
@@ -78,7 +78,7 @@ impl Line24V {
                 };
             }
             __Line24VState::S2 => {
-                outputs = const {
+                outputs_ = const {
                     Line24VOutputs {
                         q1: false,
                         q2: true,
@@ -87,17 +87,17 @@ impl Line24V {
                 };
             }
             __Line24VState::S3 => {
-                outputs = const {
+                outputs_ = const {
                     Line24VOutputs {
                         q1: false,
                         q2: true,
                         q3: false,
                     }
                 };
-                outputs.q3 = inputs.b5;
+                outputs_.q3 = inputs_.b5;
             }
             _ => {
-                outputs = const {
+                outputs_ = const {
                     Line24VOutputs {
                         q1: false,
                         q2: false,
@@ -106,6 +106,6 @@ impl Line24V {
                 };
             }
         }
-        outputs
+        outputs_
     }
 }

@@ -11,38 +11,38 @@ impl Motor {
     }
 }
 impl Motor {
-    pub fn cycle(&mut self, inputs: &MotorInputs) -> MotorOutputs {
-        let mut outputs = const {
+    pub fn cycle(&mut self, inputs_: &MotorInputs) -> MotorOutputs {
+        let mut outputs_ = const {
             MotorOutputs {
                 relay: false,
                 green: false,
                 red: false,
             }
         };
-        let after: __MotorState;
+        let after_: __MotorState;
         match self.situation {
             __MotorState::INIT => {
-                after = __MotorState::Off;
+                after_ = __MotorState::Off;
             }
             __MotorState::Off => {
-                if inputs.on & !inputs.over_temp {
-                    after = __MotorState::On;
+                if inputs_.on & !inputs_.over_temp {
+                    after_ = __MotorState::On;
                 } else {
-                    after = __MotorState::Off;
+                    after_ = __MotorState::Off;
                 }
             }
             __MotorState::On => {
-                if inputs.off | inputs.over_temp {
-                    after = __MotorState::Off;
+                if inputs_.off | inputs_.over_temp {
+                    after_ = __MotorState::Off;
                 } else {
-                    after = __MotorState::On;
+                    after_ = __MotorState::On;
                 }
             }
         }
-        self.situation = after;
-        match after {
+        self.situation = after_;
+        match after_ {
             __MotorState::Off => {
-                outputs = const {
+                outputs_ = const {
                     MotorOutputs {
                         relay: false,
                         green: false,
@@ -51,7 +51,7 @@ impl Motor {
                 };
             }
             __MotorState::On => {
-                outputs = const {
+                outputs_ = const {
                     MotorOutputs {
                         relay: true,
                         green: true,
@@ -60,7 +60,7 @@ impl Motor {
                 };
             }
             _ => {
-                outputs = const {
+                outputs_ = const {
                     MotorOutputs {
                         relay: false,
                         green: false,
@@ -69,6 +69,6 @@ impl Motor {
                 };
             }
         }
-        outputs
+        outputs_
     }
 }

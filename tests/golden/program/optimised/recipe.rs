@@ -12,44 +12,46 @@ impl Dyer {
     pub const fn new() -> Self {
         Self::with_params(DyerParams::new())
     }
-    pub const fn with_params(params: DyerParams) -> Self {
+    pub const fn with_params(params_: DyerParams) -> Self {
         Self {
             situation: __DyerState::INIT,
             reading: Ticks::ZERO,
             settled: false,
             time: Ticks::ZERO,
             edge0_before: false,
-            params,
+            params: params_,
         }
     }
 }
 impl Dyer {
     pub fn cycle(
         &mut self,
-        inputs: &DyerInputs,
-        now: impl core::convert::Into<Ticks>,
-        actions: &mut (impl DyerActions + ?core::marker::Sized),
+        inputs_: &DyerInputs,
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        actions_: &mut (impl DyerActions + ?core::marker::Sized),
     ) -> DyerOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = const {
+        let mut outputs_ = const {
             DyerOutputs {
                 inlet: false,
                 outlet: false,
                 ready: false,
             }
         };
-        let elapsed: Ticks = now.since(self.reading);
-        self.reading = now;
-        self.time = self.time + elapsed;
+        let elapsed_: Ticks = now_.since(self.reading);
+        self.reading = now_;
+        self.time = self.time + elapsed_;
         match self.situation {
             __DyerState::INIT => {
                 self.time = Ticks::ZERO;
                 self.situation = __DyerState::Idle;
             }
             __DyerState::Idle => {
-                if !self.edge0_before && inputs.start {
+                if !self.edge0_before && inputs_.start {
                     self.situation = __DyerState::Fill;
                     self.time = Ticks::ZERO;
                     self.settled = false;
@@ -58,10 +60,10 @@ impl Dyer {
                 }
             }
             __DyerState::Fill => {
-                if inputs.full {
+                if inputs_.full {
                     self.situation = __DyerState::Wash;
                     self.time = Ticks::ZERO;
-                    actions
+                    actions_
                         .heat(
                             Phase::First,
                             {
@@ -69,7 +71,7 @@ impl Dyer {
                                 wash_at
                             },
                         );
-                    actions
+                    actions_
                         .drum(
                             Phase::First,
                             {
@@ -84,7 +86,7 @@ impl Dyer {
             }
             __DyerState::Wash => {
                 if ({
-                    let temperature = inputs.temperature;
+                    let temperature = inputs_.temperature;
                     let wash_at = self.params.wash_at;
                     temperature >= wash_at
                 }) && self.time >= self.params.wash
@@ -92,7 +94,7 @@ impl Dyer {
                     self.situation = __DyerState::Dye;
                     self.time = Ticks::ZERO;
                 } else {
-                    actions
+                    actions_
                         .heat(
                             Phase::Repeated,
                             {
@@ -100,7 +102,7 @@ impl Dyer {
                                 wash_at
                             },
                         );
-                    actions
+                    actions_
                         .drum(
                             Phase::Repeated,
                             {
@@ -112,14 +114,14 @@ impl Dyer {
             }
             __DyerState::Dye => {
                 if ({
-                    let temperature = inputs.temperature;
+                    let temperature = inputs_.temperature;
                     let dye_at = self.params.dye_at;
                     temperature >= dye_at
                 }) && self.time >= self.params.dye
                 {
                     self.situation = __DyerState::Drain;
                     self.time = Ticks::ZERO;
-                    actions
+                    actions_
                         .heat(
                             Phase::Final,
                             {
@@ -130,10 +132,10 @@ impl Dyer {
                 }
             }
             __DyerState::Drain => {
-                if inputs.empty {
+                if inputs_.empty {
                     self.situation = __DyerState::Idle;
                     self.time = Ticks::ZERO;
-                    actions
+                    actions_
                         .drum(
                             Phase::Final,
                             {
@@ -146,13 +148,13 @@ impl Dyer {
         }
         match self.situation {
             __DyerState::Idle => {
-                outputs.ready = true;
+                outputs_.ready = true;
             }
             __DyerState::Fill => {
-                outputs.inlet = true;
+                outputs_.inlet = true;
             }
             __DyerState::Dye => {
-                actions
+                actions_
                     .heat(
                         Phase::Repeated,
                         {
@@ -160,7 +162,7 @@ impl Dyer {
                             dye_at
                         },
                     );
-                actions
+                actions_
                     .drum(
                         Phase::Repeated,
                         {
@@ -170,7 +172,7 @@ impl Dyer {
                     );
             }
             __DyerState::Drain => {
-                actions
+                actions_
                     .drum(
                         Phase::Repeated,
                         {
@@ -178,12 +180,12 @@ impl Dyer {
                             wash_rpm
                         },
                     );
-                outputs.outlet = true;
+                outputs_.outlet = true;
             }
             _ => {}
         }
-        self.edge0_before = inputs.start;
-        outputs
+        self.edge0_before = inputs_.start;
+        outputs_
     }
     pub fn next_deadline(
         &self,
@@ -191,22 +193,22 @@ impl Dyer {
         if !self.settled {
             return Option::Some(self.reading);
         }
-        let mut soonest = Option::None;
+        let mut soonest_ = Option::None;
         if self.situation == __DyerState::Wash && self.time < self.params.wash {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(self.params.wash - self.time),
             );
         }
         if self.situation == __DyerState::Dye && self.time < self.params.dye {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(self.params.dye - self.time),
             );
         }
-        match soonest {
-            Option::Some(time) => {
-                Option::Some(self.reading.after(time))
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.reading.after(time_))
             }
             Option::None => Option::None,
         }

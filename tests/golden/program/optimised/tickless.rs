@@ -21,13 +21,13 @@ impl Crossing {
 impl Crossing {
     pub fn cycle(
         &mut self,
-        inputs: &CrossingInputs,
-        now: impl core::convert::Into<Ticks>,
+        inputs_: &CrossingInputs,
+        now_: impl core::convert::Into<Ticks>,
     ) -> CrossingOutputs {
-        let now: Ticks = core::convert::Into::into(
-            now,
+        let now_: Ticks = core::convert::Into::into(
+            now_,
         );
-        let mut outputs = const {
+        let mut outputs_ = const {
             CrossingOutputs {
                 green: false,
                 yellow: false,
@@ -39,48 +39,52 @@ impl Crossing {
             }
         };
         self.before_state = self.situation;
-        self.reading = now;
-        let passed: Ticks = now.since(self.since);
-        let mut goes: bool = false;
+        self.reading = now_;
+        let passed_: Ticks = now_.since(self.since);
+        let mut goes_: bool = false;
         match self.situation {
             __CrossingState::INIT => {
-                goes = true;
+                goes_ = true;
             }
             __CrossingState::Cars => {
-                goes = !self.edge0_before && inputs.button;
+                goes_ = !self.edge0_before && inputs_.button;
             }
             __CrossingState::Stop => {
-                if passed >= Ticks::new(2000u32) {
-                    outputs.chirp = true;
-                    goes = true;
+                if passed_ >= Ticks::new(2000u32) {
+                    outputs_.chirp = true;
+                    goes_ = true;
                 }
             }
             __CrossingState::Walk => {
-                if passed >= Ticks::new(8000u32) {
-                    goes = true;
+                if passed_ >= Ticks::new(8000u32) {
+                    goes_ = true;
                 } else {
-                    outputs.chirp = passed < Ticks::new(1000u32);
-                    outputs.hurry = passed >= Ticks::new(6000u32);
+                    outputs_.chirp = passed_ < Ticks::new(1000u32);
+                    outputs_.hurry = passed_
+                        >= Ticks::new(6000u32);
                 }
             }
             __CrossingState::Asked
             | __CrossingState::Yellow
             | __CrossingState::Clear => {
-                goes = passed
+                goes_ = passed_
                     >= (Ticks::new({
                         const TABLE: [u16; 7usize] = [
                             0, 5000, 3000, 0, 0, 4000, 0,
                         ];
-                        match TABLE.get(self.situation as usize) {
-                            Option::Some(found) => {
-                                u32::from(*found)
+                        match <[_]>::get(
+                            &TABLE,
+                            self.situation as usize,
+                        ) {
+                            Option::Some(found_) => {
+                                u32::from(*found_)
                             }
                             Option::None => 0,
                         }
                     }));
             }
         }
-        if goes {
+        if goes_ {
             self.situation = {
                 const TABLE: [__CrossingState; 7usize] = [
                     __CrossingState::Asked,
@@ -91,40 +95,40 @@ impl Crossing {
                     __CrossingState::Cars,
                     __CrossingState::Cars,
                 ];
-                match TABLE.get(self.situation as usize) {
-                    Option::Some(found) => *found,
+                match <[_]>::get(&TABLE, self.situation as usize) {
+                    Option::Some(found_) => *found_,
                     Option::None => self.situation,
                 }
             };
-            self.since = now;
+            self.since = now_;
         }
         match self.situation {
             __CrossingState::Cars => {
-                outputs.green = true;
+                outputs_.green = true;
             }
             __CrossingState::Asked => {
-                outputs.green = true;
-                outputs.wait = true;
+                outputs_.green = true;
+                outputs_.wait = true;
             }
             __CrossingState::Yellow => {
-                outputs.wait = true;
-                outputs.yellow = true;
+                outputs_.wait = true;
+                outputs_.yellow = true;
             }
             __CrossingState::Stop => {
-                outputs.wait = true;
-                outputs.red = true;
+                outputs_.wait = true;
+                outputs_.red = true;
             }
             __CrossingState::Walk => {
-                outputs.red = true;
-                outputs.walk = true;
+                outputs_.red = true;
+                outputs_.walk = true;
             }
             __CrossingState::Clear => {
-                outputs.red = true;
+                outputs_.red = true;
             }
             __CrossingState::INIT => {}
         }
-        self.edge0_before = inputs.button;
-        outputs
+        self.edge0_before = inputs_.button;
+        outputs_
     }
     pub fn next_deadline(
         &self,
@@ -132,12 +136,12 @@ impl Crossing {
         if self.before_state != self.situation {
             return Option::Some(self.since);
         }
-        let mut soonest = Option::None;
+        let mut soonest_ = Option::None;
         if self.situation == __CrossingState::Asked
             && self.reading.since(self.since) < Ticks::new(5000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(5000u32)
                         - self.reading.since(self.since),
@@ -147,8 +151,8 @@ impl Crossing {
         if self.situation == __CrossingState::Yellow
             && self.reading.since(self.since) < Ticks::new(3000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(3000u32)
                         - self.reading.since(self.since),
@@ -158,8 +162,8 @@ impl Crossing {
         if self.situation == __CrossingState::Stop
             && self.reading.since(self.since) < Ticks::new(2000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(2000u32)
                         - self.reading.since(self.since),
@@ -169,8 +173,8 @@ impl Crossing {
         if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(1000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(1000u32)
                         - self.reading.since(self.since),
@@ -180,8 +184,8 @@ impl Crossing {
         if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(6000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(6000u32)
                         - self.reading.since(self.since),
@@ -191,8 +195,8 @@ impl Crossing {
         if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(8000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(8000u32)
                         - self.reading.since(self.since),
@@ -202,17 +206,17 @@ impl Crossing {
         if self.situation == __CrossingState::Clear
             && self.reading.since(self.since) < Ticks::new(4000u32)
         {
-            soonest = sooner(
-                soonest,
+            soonest_ = sooner(
+                soonest_,
                 Option::Some(
                     Ticks::new(4000u32)
                         - self.reading.since(self.since),
                 ),
             );
         }
-        match soonest {
-            Option::Some(time) => {
-                Option::Some(self.reading.after(time))
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.reading.after(time_))
             }
             Option::None => Option::None,
         }

@@ -4,6 +4,7 @@
 
 pub mod fragments;
 pub mod hygiene;
+pub mod in_the_way;
 pub mod outside;
 pub mod passed_on;
 pub mod places;
