@@ -87,6 +87,17 @@ impl VisitMut for Bindings<'_> {
         visit_mut::visit_pat_ident_mut(self, pattern);
     }
 
+    /// For documentation alone, in which no body is looked at.
+    fn visit_fn_arg_mut(&mut self, parameter: &mut syn::FnArg) {
+        let is_shown = |attribute: &syn::Attribute| match &attribute.meta {
+            syn::Meta::List(list) => list.path.is_ident("cfg") && list.tokens.to_string() == "doc",
+            _ => false,
+        };
+        if !matches!(parameter, syn::FnArg::Typed(typed) if typed.attrs.iter().any(is_shown)) {
+            visit_mut::visit_fn_arg_mut(self, parameter);
+        }
+    }
+
     /// The parameters of a function without a body are no patterns.
     fn visit_trait_item_fn_mut(&mut self, _: &mut syn::TraitItemFn) {}
 }

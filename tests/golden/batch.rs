@@ -43,7 +43,12 @@ impl Batch {
     }
     ///A chart `Batch` in its initial situation, with this recipe.
     #[must_use]
-    pub const fn with_params(params_: BatchParams) -> Self {
+    pub const fn with_params(
+        #[cfg(not(doc))]
+        params_: BatchParams,
+        #[cfg(doc)]
+        params: BatchParams,
+    ) -> Self {
         Self {
             region_0: __BatchRegion0::INIT,
             region_1: __BatchRegion1::NONE,
@@ -68,7 +73,13 @@ impl Batch {
         &self.params
     }
     /// Exchanges the recipe; the next cycle uses the new one.
-    pub fn set_params(&mut self, params_: BatchParams) {
+    pub fn set_params(
+        &mut self,
+        #[cfg(not(doc))]
+        params_: BatchParams,
+        #[cfg(doc)]
+        params: BatchParams,
+    ) {
         self.params = params_;
     }
 }
@@ -338,7 +349,13 @@ pub struct BatchSituation {
 impl BatchSituation {
     /// Whether the step is active in this situation.
     #[must_use]
-    pub fn is_active(&self, step_: BatchStep) -> ::grafcet::__private::bool {
+    pub fn is_active(
+        &self,
+        #[cfg(not(doc))]
+        step_: BatchStep,
+        #[cfg(doc)]
+        step: BatchStep,
+    ) -> ::grafcet::__private::bool {
         match step_ {
             BatchStep::Idle => self.region_0 == __BatchRegion0::Idle,
             BatchStep::Fill => self.region_0 == __BatchRegion0::Fill,
@@ -383,11 +400,20 @@ impl Batch {
     /// situation.
     pub fn cycle(
         &mut self,
+        #[cfg(not(doc))]
         inputs_: &BatchInputs,
+        #[cfg(doc)]
+        inputs: &BatchInputs,
+        #[cfg(not(doc))]
         now_: impl ::grafcet::__private::core::convert::Into<
             ::grafcet::__private::Ticks,
         >,
+        #[cfg(doc)]
+        now: impl ::grafcet::__private::core::convert::Into<::grafcet::__private::Ticks>,
+        #[cfg(not(doc))]
         actions_: &mut (impl BatchActions + ?::grafcet::__private::core::marker::Sized),
+        #[cfg(doc)]
+        actions: &mut (impl BatchActions + ?::grafcet::__private::core::marker::Sized),
     ) -> BatchOutputs {
         let now_: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
             now_,
@@ -701,7 +727,13 @@ impl Batch {
     }
     /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step_: BatchStep) -> ::grafcet::__private::bool {
+    pub fn is_active(
+        &self,
+        #[cfg(not(doc))]
+        step_: BatchStep,
+        #[cfg(doc)]
+        step: BatchStep,
+    ) -> ::grafcet::__private::bool {
         match step_ {
             BatchStep::Idle => {
                 self.region_0 == __BatchRegion0::Idle
@@ -764,7 +796,13 @@ impl Batch {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps_: &[BatchStep]) -> ::grafcet::__private::bool {
+    pub fn is_exactly(
+        &self,
+        #[cfg(not(doc))]
+        steps_: &[BatchStep],
+        #[cfg(doc)]
+        steps: &[BatchStep],
+    ) -> ::grafcet::__private::bool {
         ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
     /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
@@ -834,7 +872,10 @@ impl Batch {
     /// A duration in the chart's clock unit, rounded up.
     #[must_use]
     pub const fn ticks(
+        #[cfg(not(doc))]
         duration_: ::grafcet::__private::core::time::Duration,
+        #[cfg(doc)]
+        duration: ::grafcet::__private::core::time::Duration,
     ) -> ::grafcet::__private::Ticks {
         ::grafcet::__private::Ticks::from_duration(duration_, 1000000)
     }

@@ -367,7 +367,13 @@ pub struct CellSituation {
 impl CellSituation {
     /// Whether the step is active in this situation.
     #[must_use]
-    pub fn is_active(&self, step_: CellStep) -> ::grafcet::__private::bool {
+    pub fn is_active(
+        &self,
+        #[cfg(not(doc))]
+        step_: CellStep,
+        #[cfg(doc)]
+        step: CellStep,
+    ) -> ::grafcet::__private::bool {
         match step_ {
             CellStep::Ready => self.region_0 == __CellRegion0::Ready,
             CellStep::Stopped => self.region_0 == __CellRegion0::Stopped,
@@ -414,7 +420,13 @@ impl ::grafcet::__private::core::fmt::Display for CellSituation {
 impl Cell {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    pub fn cycle(&mut self, inputs_: &CellInputs) -> CellOutputs {
+    pub fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &CellInputs,
+        #[cfg(doc)]
+        inputs: &CellInputs,
+    ) -> CellOutputs {
         let mut outputs_ = CellOutputs {
             belt: false,
             clamp: false,
@@ -580,7 +592,13 @@ impl Cell {
     }
     /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step_: CellStep) -> ::grafcet::__private::bool {
+    pub fn is_active(
+        &self,
+        #[cfg(not(doc))]
+        step_: CellStep,
+        #[cfg(doc)]
+        step: CellStep,
+    ) -> ::grafcet::__private::bool {
         match step_ {
             CellStep::Ready => self.region_0.state() == __CellRegion0::Ready,
             CellStep::Stopped => self.region_0.state() == __CellRegion0::Stopped,
@@ -665,7 +683,13 @@ impl Cell {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps_: &[CellStep]) -> ::grafcet::__private::bool {
+    pub fn is_exactly(
+        &self,
+        #[cfg(not(doc))]
+        steps_: &[CellStep],
+        #[cfg(doc)]
+        steps: &[CellStep],
+    ) -> ::grafcet::__private::bool {
         ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make

@@ -245,7 +245,13 @@ impl __Line24VStateMark {
 impl Line24V {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    pub fn cycle(&mut self, inputs_: &Line24VInputs) -> Line24VOutputs {
+    pub fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &Line24VInputs,
+        #[cfg(doc)]
+        inputs: &Line24VInputs,
+    ) -> Line24VOutputs {
         let mut outputs_ = const {
             Line24VOutputs {
                 q1: false,
@@ -349,7 +355,13 @@ impl Line24V {
     }
     /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step_: Line24VStep) -> ::grafcet::__private::bool {
+    pub fn is_active(
+        &self,
+        #[cfg(not(doc))]
+        step_: Line24VStep,
+        #[cfg(doc)]
+        step: Line24VStep,
+    ) -> ::grafcet::__private::bool {
         self.situation() == step_
     }
     /// The active steps, in the order of their declaration; the capacity is the most that can be active.
@@ -372,7 +384,13 @@ impl Line24V {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps_: &[Line24VStep]) -> ::grafcet::__private::bool {
+    pub fn is_exactly(
+        &self,
+        #[cfg(not(doc))]
+        steps_: &[Line24VStep],
+        #[cfg(doc)]
+        steps: &[Line24VStep],
+    ) -> ::grafcet::__private::bool {
         ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make

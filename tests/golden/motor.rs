@@ -189,7 +189,13 @@ impl ::grafcet::__private::core::fmt::Debug for __MotorState {
 impl Motor {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    pub fn cycle(&mut self, inputs_: &MotorInputs) -> MotorOutputs {
+    pub fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &MotorInputs,
+        #[cfg(doc)]
+        inputs: &MotorInputs,
+    ) -> MotorOutputs {
         let mut outputs_ = const {
             MotorOutputs {
                 relay: false,
@@ -256,7 +262,13 @@ impl Motor {
     }
     /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step_: MotorStep) -> ::grafcet::__private::bool {
+    pub fn is_active(
+        &self,
+        #[cfg(not(doc))]
+        step_: MotorStep,
+        #[cfg(doc)]
+        step: MotorStep,
+    ) -> ::grafcet::__private::bool {
         self.situation() == step_
     }
     /// The active steps, in the order of their declaration; the capacity is the most that can be active.
@@ -277,7 +289,13 @@ impl Motor {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps_: &[MotorStep]) -> ::grafcet::__private::bool {
+    pub fn is_exactly(
+        &self,
+        #[cfg(not(doc))]
+        steps_: &[MotorStep],
+        #[cfg(doc)]
+        steps: &[MotorStep],
+    ) -> ::grafcet::__private::bool {
         ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
 }

@@ -199,7 +199,13 @@ pub struct StationsSituation {
 impl StationsSituation {
     /// Whether the step is active in this situation.
     #[must_use]
-    pub fn is_active(&self, step_: StationsStep) -> ::grafcet::__private::bool {
+    pub fn is_active(
+        &self,
+        #[cfg(not(doc))]
+        step_: StationsStep,
+        #[cfg(doc)]
+        step: StationsStep,
+    ) -> ::grafcet::__private::bool {
         match step_ {
             StationsStep::Wait => self.steps[0usize] & 1u8 != 0,
             StationsStep::Drill => self.steps[0usize] & 2u8 != 0,
@@ -245,8 +251,16 @@ impl Stations {
     /// situation.
     pub fn cycle(
         &mut self,
+        #[cfg(not(doc))]
         inputs_: &StationsInputs,
-        now_: impl ::grafcet::__private::core::convert::Into<::grafcet::__private::Ticks>,
+        #[cfg(doc)]
+        inputs: &StationsInputs,
+        #[cfg(not(doc))]
+        now_: impl ::grafcet::__private::core::convert::Into<
+            ::grafcet::__private::Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl ::grafcet::__private::core::convert::Into<::grafcet::__private::Ticks>,
     ) -> StationsOutputs {
         let now_: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
             now_,
@@ -351,7 +365,13 @@ impl Stations {
     }
     /// Whether the step is active.
     #[must_use]
-    pub fn is_active(&self, step_: StationsStep) -> ::grafcet::__private::bool {
+    pub fn is_active(
+        &self,
+        #[cfg(not(doc))]
+        step_: StationsStep,
+        #[cfg(doc)]
+        step: StationsStep,
+    ) -> ::grafcet::__private::bool {
         match step_ {
             StationsStep::Wait => {
                 self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0
@@ -417,7 +437,13 @@ impl Stations {
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
     /// for several.
     #[must_use]
-    pub fn is_exactly(&self, steps_: &[StationsStep]) -> ::grafcet::__private::bool {
+    pub fn is_exactly(
+        &self,
+        #[cfg(not(doc))]
+        steps_: &[StationsStep],
+        #[cfg(doc)]
+        steps: &[StationsStep],
+    ) -> ::grafcet::__private::bool {
         ::grafcet::__private::Chart::is_exactly(self, steps_)
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
@@ -456,7 +482,10 @@ impl Stations {
     /// A duration in the chart's clock unit, rounded up.
     #[must_use]
     pub const fn ticks(
+        #[cfg(not(doc))]
         duration_: ::grafcet::__private::core::time::Duration,
+        #[cfg(doc)]
+        duration: ::grafcet::__private::core::time::Duration,
     ) -> ::grafcet::__private::Ticks {
         ::grafcet::__private::Ticks::from_duration(duration_, 1000000)
     }

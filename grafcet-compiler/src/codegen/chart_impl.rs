@@ -23,6 +23,8 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (ticks, assumptions) = (ticks(cx), assumptions_hold(cx));
     let (situation_struct, levels) = (situation_struct(cx, machine), types::levels(model));
     let unreached = unreached::allowed(model);
+    let asked = names::parameter("step", &quote!(#step));
+    let all = names::parameter("steps", &quote!(&[#step]));
     quote! {
         #situation_struct
 
@@ -34,7 +36,7 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
 
             /// Whether the step is active.
             #[must_use]
-            #vis fn is_active(&self, step_: #step) -> #p::bool {
+            #vis fn is_active(&self, #asked) -> #p::bool {
                 #is_active
             }
 
@@ -53,7 +55,7 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
             /// Whether these steps are active, in any order, and no others: the same question for one active step and
             /// for several.
             #[must_use]
-            #vis fn is_exactly(&self, steps_: &[#step]) -> #p::bool {
+            #vis fn is_exactly(&self, #all) -> #p::bool {
                 #p::Chart::is_exactly(self, steps_)
             }
 
@@ -78,6 +80,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
     let of_recipe = reads(|read| matches!(read, Read::Name(Name::Param(_)))).then(|| quote!(&self,));
     let copied = requirements::copied(model, p);
     let unread = reads_nothing.then(|| quote!(let _ = inputs_;));
+    let given = names::parameter("inputs", &quote!(&#inputs));
     (!excluded.is_empty()).then(|| {
         // What the user wrote is an assumption, and not the Rust of a function: its style is nobody's business.
         quote! {
@@ -85,7 +88,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
             /// was compiled holds as long as this is true in every cycle.
             #[must_use]
             #[allow(clippy::all, clippy::pedantic)]
-            #vis fn assumptions_hold(#of_recipe inputs_: &#inputs) -> #p::bool {
+            #vis fn assumptions_hold(#of_recipe #given) -> #p::bool {
                 #copied
                 #unread
                 #(let #excluded: #p::bool = #values;)*
@@ -100,11 +103,14 @@ fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (vis, inputs, outputs) = (&model.vis, &names.inputs, &names.outputs);
     let Machine { cycle: body, evolve, .. } = machine;
     let time = cx.plan.memory.time;
-    let now = time.then(|| quote!(, now_: impl #p::core::convert::Into<#p::Ticks>));
+    let given = names::parameter("inputs", &quote!(&#inputs));
+    let now = time.then(|| names::parameter("now", &quote!(impl #p::core::convert::Into<#p::Ticks>)));
+    let now = now.map(|now| quote!(, #now));
     let ticks = time.then(|| quote!(let now_: #p::Ticks = #p::core::convert::Into::into(now_);));
     let actions = (!model.actions.is_empty()).then(|| {
         let actions = &names.actions;
-        quote!(, actions_: &mut (impl #actions + ?#p::core::marker::Sized))
+        let actions = names::parameter("actions", &quote!(&mut (impl #actions + ?#p::core::marker::Sized)));
+        quote!(, #actions)
     });
     // Where the outputs are returned in memory, inlining would take them apart and write them one by one.
     let outlined = (model.outputs.len() > 8).then(|| quote!(#[inline(never)]));
@@ -113,7 +119,7 @@ fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
         #outlined
         /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
         /// situation.
-        #vis fn cycle(&mut self, inputs_: &#inputs #now #actions) -> #outputs {
+        #vis fn cycle(&mut self, #given #now #actions) -> #outputs {
             #copied
             #ticks
             #body
@@ -150,11 +156,12 @@ fn init(cx: &Cx<'_>) -> TokenStream {
 fn ticks(cx: &Cx<'_>) -> Option<TokenStream> {
     let (vis, p) = (&cx.model.vis, &cx.p);
     let unit = Literal::u64_unsuffixed(cx.model.clock_nanos);
+    let duration = names::parameter("duration", &quote!(#p::core::time::Duration));
     cx.plan.memory.time.then(|| {
         quote! {
             /// A duration in the chart's clock unit, rounded up.
             #[must_use]
-            #vis const fn ticks(duration_: #p::core::time::Duration) -> #p::Ticks {
+            #vis const fn ticks(#duration) -> #p::Ticks {
                 #p::Ticks::from_duration(duration_, #unit)
             }
         }
@@ -367,6 +374,7 @@ fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     let derives = derives::of_states().users(model, &["Default"]);
     let doc = format!("A situation of [`{}`]: which steps are active.", model.name);
     let item = place::item("struct", name, &model.name, &quote!(#fields));
+    let asked = names::parameter("step", &quote!(#step));
     Some(quote! {
         #[doc = #doc]
         #[derive(#p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq)]
@@ -376,7 +384,7 @@ fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
         impl #name {
             /// Whether the step is active in this situation.
             #[must_use]
-            #vis fn is_active(&self, step_: #step) -> #p::bool {
+            #vis fn is_active(&self, #asked) -> #p::bool {
                 match step_ { #(#arms)* }
             }
         }

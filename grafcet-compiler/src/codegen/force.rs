@@ -67,10 +67,14 @@ impl Cx<'_> {
         let (copied, levels) = (requirements::copied(model, p), super::types::levels(model));
         let unreached = super::unreached::allowed(model);
         let time = self.plan.memory.time;
-        let now = time.then(|| quote!(, now_: impl #p::core::convert::Into<#p::Ticks>));
+        let given = [("steps", quote!(&[#step])), ("inputs", quote!(&#inputs))];
+        let given = given.iter().map(|(name, ty)| names::parameter(name, ty)).list();
+        let now = time.then(|| names::parameter("now", &quote!(impl #p::core::convert::Into<#p::Ticks>)));
+        let now = now.map(|now| quote!(, #now));
         let ticks = time.then(|| quote!(let now_: #p::Ticks = #p::core::convert::Into::into(now_);));
         let (calls, has_actions) = (&names.actions, !model.actions.is_empty());
-        let actions = has_actions.then(|| quote!(, actions_: &mut (impl #calls + ?#p::core::marker::Sized)));
+        let actions = names::parameter("actions", &quote!(&mut (impl #calls + ?#p::core::marker::Sized)));
+        let actions = has_actions.then(|| quote!(, #actions));
         let (pass_now, now_name) = if time { (Some(quote!(, now_)), quote!(now_)) } else { (None, quote!(_)) };
         let (pass, actions_name) =
             if has_actions { (Some(quote!(, actions_)), quote!(actions_)) } else { (None, quote!(_)) };
@@ -86,7 +90,7 @@ impl Cx<'_> {
                 /// # Errors
                 /// The chart is never in exactly these steps; then nothing has happened.
                 #[allow(unused_assignments, unused_mut, unused_variables)]
-                #vis fn force(&mut self, steps_: &[#step], inputs_: &#inputs #now #actions) -> #p::Result<#outputs, #p::ForceError<#step>> {
+                #vis fn force(&mut self, #(#given),* #now #actions) -> #p::Result<#outputs, #p::ForceError<#step>> {
                     #possible.look(<Self as #p::Chart>::STEPS, steps_)?;
                     #copied
                     #ticks

@@ -317,6 +317,12 @@ pub(super) fn local(name: &str) -> Ident {
     own(&format!("{name}_"))
 }
 
+/// A parameter of a public function: documentation shows it without the underscore.
+pub(super) fn parameter(name: &str, ty: &TokenStream) -> TokenStream {
+    let (bound, shown) = (local(name), own(name));
+    quote!(#[cfg(not(doc))] #bound: #ty, #[cfg(doc)] #shown: #ty)
+}
+
 /// Any other name of ours: a field, a function, a variant.
 pub(super) fn own(name: &str) -> Ident {
     Ident::new(name, place::mixed())

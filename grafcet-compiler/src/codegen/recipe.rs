@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::quote_spanned;
 
-use super::{Cx, derives, types};
+use super::{Cx, derives, names, types};
 use crate::analysis::integer_constant;
 use crate::list::{List, PushAll};
 use crate::model::{Model, Ty};
@@ -125,12 +125,13 @@ pub(super) fn exchanged_in_range(cx: &Cx<'_>, values: &TokenStream) -> TokenStre
     let Cx { model, p, names, .. } = cx;
     let (vis, params, out_of_range) = (&model.vis, &names.params, out_of_range());
     let doc = format!("A chart `{}` in its initial situation, with this recipe.", model.name);
+    let given = names::parameter("params", &quote!(#params));
     quote! {
         #[doc = #doc]
         ///
         /// # Errors
         /// A param is not in the range that the chart states.
-        #vis const fn with_params(params_: #params) -> #p::Result<Self, #p::OutOfRange> {
+        #vis const fn with_params(#given) -> #p::Result<Self, #p::OutOfRange> {
             match params_.#out_of_range() {
                 #p::Option::Some(refused_) => #p::Result::Err(refused_),
                 #p::Option::None => #p::Result::Ok(Self { #values params: params_ }),
@@ -147,7 +148,7 @@ pub(super) fn exchanged_in_range(cx: &Cx<'_>, values: &TokenStream) -> TokenStre
         ///
         /// # Errors
         /// A param is not in the range that the chart states; the chart keeps the recipe that it has.
-        #vis fn set_params(&mut self, params_: #params) -> #p::Result<(), #p::OutOfRange> {
+        #vis fn set_params(&mut self, #given) -> #p::Result<(), #p::OutOfRange> {
             match params_.#out_of_range() {
                 #p::Option::Some(refused_) => #p::Result::Err(refused_),
                 #p::Option::None => {

@@ -239,6 +239,7 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
         return (None, new);
     }
     let params = &cx.names.params;
+    let given = names::parameter("params", &quote!(#params));
     let with_doc = format!("A chart `{name}` in its initial situation, with this recipe.");
     if recipe::has_ranges(cx.model) {
         let exchanged = recipe::exchanged_in_range(cx, values);
@@ -263,7 +264,7 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
 
         #[doc = #with_doc]
         #[must_use]
-        #vis const fn with_params(params_: #params) -> Self {
+        #vis const fn with_params(#given) -> Self {
             Self { #values params: params_ }
         }
 
@@ -274,7 +275,7 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
         }
 
         /// Exchanges the recipe; the next cycle uses the new one.
-        #vis fn set_params(&mut self, params_: #params) {
+        #vis fn set_params(&mut self, #given) {
             self.params = params_;
         }
     };

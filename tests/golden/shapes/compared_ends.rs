@@ -3,7 +3,13 @@
 impl Fill {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs_: &FillInputs) -> FillOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &FillInputs,
+        #[cfg(doc)]
+        inputs: &FillInputs,
+    ) -> FillOutputs {
         let mut outputs_ = FillOutputs {
             valve: false,
             pump: false,
@@ -121,8 +127,14 @@ impl Fill {
     #[allow(unused_assignments, unused_mut, unused_variables)]
     fn force(
         &mut self,
+        #[cfg(not(doc))]
         steps_: &[FillStep],
+        #[cfg(doc)]
+        steps: &[FillStep],
+        #[cfg(not(doc))]
         inputs_: &FillInputs,
+        #[cfg(doc)]
+        inputs: &FillInputs,
     ) -> Result<
         FillOutputs,
         ForceError<FillStep>,

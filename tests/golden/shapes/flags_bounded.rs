@@ -3,7 +3,13 @@
 impl Lamp {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &LampInputs,
+        #[cfg(doc)]
+        inputs: &LampInputs,
+    ) -> LampOutputs {
         let mut outputs_ = LampOutputs { lamp: false };
         self.situation[0usize] &= !4u8;
         let mut evolutions_left_: u32 = 6;

@@ -3,7 +3,13 @@
 impl Lamp {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &LampInputs,
+        #[cfg(doc)]
+        inputs: &LampInputs,
+    ) -> LampOutputs {
         let mut outputs_ = LampOutputs { lamp: false };
         let before_ = self.situation;
         let mut after_ = before_;

@@ -3,7 +3,13 @@
 impl Presses {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs_: &PressesInputs) -> PressesOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &PressesInputs,
+        #[cfg(doc)]
+        inputs: &PressesInputs,
+    ) -> PressesOutputs {
         let outputs_ = PressesOutputs {};
         self.region_0 = self.region_0.unmarked();
         let mut evolutions_left_: u32 = 20;

@@ -3,7 +3,13 @@
 impl Presses {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs_: &PressesInputs) -> PressesOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &PressesInputs,
+        #[cfg(doc)]
+        inputs: &PressesInputs,
+    ) -> PressesOutputs {
         let mut outputs_ = PressesOutputs {
             left: false,
             right: false,
@@ -102,8 +108,14 @@ impl Presses {
     #[allow(unused_assignments, unused_mut, unused_variables)]
     fn force(
         &mut self,
+        #[cfg(not(doc))]
         steps_: &[PressesStep],
+        #[cfg(doc)]
+        steps: &[PressesStep],
+        #[cfg(not(doc))]
         inputs_: &PressesInputs,
+        #[cfg(doc)]
+        inputs: &PressesInputs,
     ) -> Result<
         PressesOutputs,
         ForceError<PressesStep>,

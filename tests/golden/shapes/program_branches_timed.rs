@@ -5,8 +5,16 @@ impl Kettle {
     /// situation.
     fn cycle(
         &mut self,
+        #[cfg(not(doc))]
         inputs_: &KettleInputs,
-        now_: impl core::convert::Into<Ticks>,
+        #[cfg(doc)]
+        inputs: &KettleInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
     ) -> KettleOutputs {
         let now_: Ticks = core::convert::Into::into(
             now_,

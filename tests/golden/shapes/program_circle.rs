@@ -3,7 +3,13 @@
 impl Lamp {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs_: &LampInputs) -> LampOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &LampInputs,
+        #[cfg(doc)]
+        inputs: &LampInputs,
+    ) -> LampOutputs {
         let mut outputs_ = LampOutputs { lamp: false };
         let mut now_state_: __LampState = self.situation.state();
         self.situation = __LampStateMark::of(now_state_);

@@ -5,8 +5,16 @@ impl Lamp {
     /// situation.
     fn cycle(
         &mut self,
+        #[cfg(not(doc))]
         inputs_: &LampInputs,
-        now_: impl core::convert::Into<Ticks>,
+        #[cfg(doc)]
+        inputs: &LampInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
     ) -> LampOutputs {
         let now_: Ticks = core::convert::Into::into(
             now_,
@@ -58,9 +66,20 @@ impl Lamp {
     #[allow(unused_assignments, unused_mut, unused_variables)]
     fn force(
         &mut self,
+        #[cfg(not(doc))]
         steps_: &[LampStep],
+        #[cfg(doc)]
+        steps: &[LampStep],
+        #[cfg(not(doc))]
         inputs_: &LampInputs,
-        now_: impl core::convert::Into<Ticks>,
+        #[cfg(doc)]
+        inputs: &LampInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
     ) -> Result<
         LampOutputs,
         ForceError<LampStep>,

@@ -5,8 +5,16 @@ impl Cell {
     /// situation.
     fn cycle(
         &mut self,
+        #[cfg(not(doc))]
         inputs_: &CellInputs,
-        now_: impl core::convert::Into<Ticks>,
+        #[cfg(doc)]
+        inputs: &CellInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
     ) -> CellOutputs {
         let now_: Ticks = core::convert::Into::into(
             now_,

@@ -3,7 +3,13 @@
 impl Long {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs_: &LongInputs) -> LongOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &LongInputs,
+        #[cfg(doc)]
+        inputs: &LongInputs,
+    ) -> LongOutputs {
         let mut outputs_ = LongOutputs { lamp: false };
         let mut after_: __LongState = self.situation;
         'once: {

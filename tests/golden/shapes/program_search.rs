@@ -3,7 +3,13 @@
 impl Presses {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs_: &PressesInputs) -> PressesOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &PressesInputs,
+        #[cfg(doc)]
+        inputs: &PressesInputs,
+    ) -> PressesOutputs {
         let mut outputs_ = const {
             PressesOutputs {
                 left: false,

@@ -5,8 +5,16 @@ impl Lamp {
     /// situation.
     fn cycle(
         &mut self,
+        #[cfg(not(doc))]
         inputs_: &LampInputs,
-        now_: impl core::convert::Into<Ticks>,
+        #[cfg(doc)]
+        inputs: &LampInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
     ) -> LampOutputs {
         let now_: Ticks = core::convert::Into::into(
             now_,
