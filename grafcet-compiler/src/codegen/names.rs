@@ -317,9 +317,9 @@ pub(super) fn local(name: &str) -> Ident {
     own(&format!("{name}_"))
 }
 
-/// A parameter of a public function: documentation shows it without the underscore.
+/// A parameter of a public function: documentation shows it without the underscore. What the user wrote reads the inputs by the name of theirs.
 pub(super) fn parameter(name: &str, ty: &TokenStream) -> TokenStream {
-    let (bound, shown) = (local(name), own(name));
+    let (bound, shown) = (Ident::new(&format!("{name}_"), place::here()), Ident::new(name, place::here()));
     quote!(#[cfg(not(doc))] #bound: #ty, #[cfg(doc)] #shown: #ty)
 }
 
