@@ -49,6 +49,8 @@ impl Batch {
         #[cfg(doc)]
         params: BatchParams,
     ) -> Self {
+        #[cfg(doc)]
+        let params_ = params;
         Self {
             region_0: __BatchRegion0::INIT,
             region_1: __BatchRegion1::NONE,
@@ -877,6 +879,8 @@ impl Batch {
         #[cfg(doc)]
         duration: ::grafcet::__private::core::time::Duration,
     ) -> ::grafcet::__private::Ticks {
+        #[cfg(doc)]
+        let duration_ = duration;
         ::grafcet::__private::Ticks::from_duration(duration_, 1000000)
     }
 }

@@ -487,6 +487,8 @@ impl Stations {
         #[cfg(doc)]
         duration: ::grafcet::__private::core::time::Duration,
     ) -> ::grafcet::__private::Ticks {
+        #[cfg(doc)]
+        let duration_ = duration;
         ::grafcet::__private::Ticks::from_duration(duration_, 1000000)
     }
 }

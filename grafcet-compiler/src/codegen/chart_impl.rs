@@ -157,11 +157,13 @@ fn ticks(cx: &Cx<'_>) -> Option<TokenStream> {
     let (vis, p) = (&cx.model.vis, &cx.p);
     let unit = Literal::u64_unsuffixed(cx.model.clock_nanos);
     let duration = names::parameter("duration", &quote!(#p::core::time::Duration));
+    let bound = names::bound_in_const("duration");
     cx.plan.memory.time.then(|| {
         quote! {
             /// A duration in the chart's clock unit, rounded up.
             #[must_use]
             #vis const fn ticks(#duration) -> #p::Ticks {
+                #bound
                 #p::Ticks::from_duration(duration_, #unit)
             }
         }

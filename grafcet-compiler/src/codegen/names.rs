@@ -323,6 +323,12 @@ pub(super) fn parameter(name: &str, ty: &TokenStream) -> TokenStream {
     quote!(#[cfg(not(doc))] #bound: #ty, #[cfg(doc)] #shown: #ty)
 }
 
+/// The same name in the body of a function that documentation evaluates, as it does with `const fn`.
+pub(super) fn bound_in_const(name: &str) -> TokenStream {
+    let (bound, shown) = (Ident::new(&format!("{name}_"), place::here()), Ident::new(name, place::here()));
+    quote!(#[cfg(doc)] let #bound = #shown;)
+}
+
 /// Any other name of ours: a field, a function, a variant.
 pub(super) fn own(name: &str) -> Ident {
     Ident::new(name, place::mixed())

@@ -125,13 +125,14 @@ pub(super) fn exchanged_in_range(cx: &Cx<'_>, values: &TokenStream) -> TokenStre
     let Cx { model, p, names, .. } = cx;
     let (vis, params, out_of_range) = (&model.vis, &names.params, out_of_range());
     let doc = format!("A chart `{}` in its initial situation, with this recipe.", model.name);
-    let given = names::parameter("params", &quote!(#params));
+    let (given, bound) = (names::parameter("params", &quote!(#params)), names::bound_in_const("params"));
     quote! {
         #[doc = #doc]
         ///
         /// # Errors
         /// A param is not in the range that the chart states.
         #vis const fn with_params(#given) -> #p::Result<Self, #p::OutOfRange> {
+            #bound
             match params_.#out_of_range() {
                 #p::Option::Some(refused_) => #p::Result::Err(refused_),
                 #p::Option::None => #p::Result::Ok(Self { #values params: params_ }),

@@ -239,7 +239,7 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
         return (None, new);
     }
     let params = &cx.names.params;
-    let given = names::parameter("params", &quote!(#params));
+    let (given, bound) = (names::parameter("params", &quote!(#params)), names::bound_in_const("params"));
     let with_doc = format!("A chart `{name}` in its initial situation, with this recipe.");
     if recipe::has_ranges(cx.model) {
         let exchanged = recipe::exchanged_in_range(cx, values);
@@ -265,6 +265,7 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
         #[doc = #with_doc]
         #[must_use]
         #vis const fn with_params(#given) -> Self {
+            #bound
             Self { #values params: params_ }
         }
 
