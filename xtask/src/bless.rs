@@ -18,6 +18,8 @@ pub(crate) fn run() -> Result {
             .env("BLESS", "1"),
     )?;
     run_command(cargo(&["test", "--package", "grafcet-exchange", "--test", "imported"]).env("BLESS", "1"))?;
+    // The page shows it.
+    run_command(cargo(&["test", "--package", "grafcet-record", "--test", "layout"]).env("BLESS", "1"))?;
     run_command(cargo(&["test", "--package", "cargo-grafcet", "--test", "page", "--test", "suite"]).env("BLESS", "1"))?;
     run_command(cargo(&["test", "--package", "grafcet", "--test", "ui"]).env("TRYBUILD", "overwrite"))?;
     run_command(cargo(&["test", "--package", "grafcet-record", "--test", "own_types"]).env("TRYBUILD", "overwrite"))

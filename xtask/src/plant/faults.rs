@@ -50,8 +50,8 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "an edge is sampled twice in an evolution",
         charts: Some("w_let"),
         file: CODE_TIME,
-        right: "quote!(#look self.#field = value;)",
-        wrong: "quote!(#look self.#field = value; #look)",
+        right: "quote!(#look self.#field = value_;)",
+        wrong: "quote!(#look self.#field = value_; #look)",
     },
     Fault {
         name: "an `any` leaves its targets, too",
@@ -260,7 +260,7 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "after `restore` a time begins anew",
         charts: None,
         file: "grafcet-core/src/record/chart.rs",
-        right: "$($($began: _now.since(<__r::Ticks as __r::Record>::read(_state)?),)*)?",
-        wrong: "$($($began: { <__r::Ticks as __r::Record>::read(_state)?; _now },)*)?",
+        right: "$($($began: _now_.since(<__r::Ticks as __r::Record>::read(_state_)?),)*)?",
+        wrong: "$($($began: { <__r::Ticks as __r::Record>::read(_state_)?; _now_ },)*)?",
     },
 ];
