@@ -15,7 +15,13 @@ impl Pair {
     }
 }
 impl Pair {
-    fn cycle(&mut self, inputs_: &PairInputs) -> PairOutputs {
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &PairInputs,
+        #[cfg(doc)]
+        inputs: &PairInputs,
+    ) -> PairOutputs {
         let mut outputs_ = PairOutputs { q: false };
         let was_s1_x_: bool = (self.situation[0usize] & 1u8 != 0);
         let was_s2_x_: bool = (self.situation[0usize] & 2u8 != 0);

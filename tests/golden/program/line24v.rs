@@ -19,7 +19,13 @@ impl Line24V {
     }
 }
 impl Line24V {
-    pub fn cycle(&mut self, inputs_: &Line24VInputs) -> Line24VOutputs {
+    pub fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &Line24VInputs,
+        #[cfg(doc)]
+        inputs: &Line24VInputs,
+    ) -> Line24VOutputs {
         let mut outputs_ = const {
             Line24VOutputs {
                 q1: false,

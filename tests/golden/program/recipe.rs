@@ -25,7 +25,14 @@ impl Dyer {
     pub const fn new() -> Self {
         Self::with_params(DyerParams::new())
     }
-    pub const fn with_params(params_: DyerParams) -> Self {
+    pub const fn with_params(
+        #[cfg(not(doc))]
+        params_: DyerParams,
+        #[cfg(doc)]
+        params: DyerParams,
+    ) -> Self {
+        #[cfg(doc)]
+        let params_ = params;
         Self {
             first: true,
             situation: __DyerState::Idle,
@@ -52,11 +59,20 @@ impl Dyer {
 impl Dyer {
     pub fn cycle(
         &mut self,
+        #[cfg(not(doc))]
         inputs_: &DyerInputs,
+        #[cfg(doc)]
+        inputs: &DyerInputs,
+        #[cfg(not(doc))]
         now_: impl core::convert::Into<
             Ticks,
         >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+        #[cfg(not(doc))]
         actions_: &mut (impl DyerActions + ?core::marker::Sized),
+        #[cfg(doc)]
+        actions: &mut (impl DyerActions + ?core::marker::Sized),
     ) -> DyerOutputs {
         let now_: Ticks = core::convert::Into::into(
             now_,

@@ -37,8 +37,16 @@ impl Crossing {
 impl Crossing {
     pub fn cycle(
         &mut self,
+        #[cfg(not(doc))]
         inputs_: &CrossingInputs,
-        now_: impl core::convert::Into<Ticks>,
+        #[cfg(doc)]
+        inputs: &CrossingInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
     ) -> CrossingOutputs {
         let now_: Ticks = core::convert::Into::into(
             now_,

@@ -9,7 +9,14 @@ impl Sorter {
     pub const fn new() -> Self {
         Self::with_params(SorterParams::new())
     }
-    pub const fn with_params(params_: SorterParams) -> Self {
+    pub const fn with_params(
+        #[cfg(not(doc))]
+        params_: SorterParams,
+        #[cfg(doc)]
+        params: SorterParams,
+    ) -> Self {
+        #[cfg(doc)]
+        let params_ = params;
         Self {
             situation: __SorterState::INIT,
             z: false,
@@ -18,7 +25,13 @@ impl Sorter {
     }
 }
 impl Sorter {
-    pub fn cycle(&mut self, inputs_: &SorterInputs) -> SorterOutputs {
+    pub fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &SorterInputs,
+        #[cfg(doc)]
+        inputs: &SorterInputs,
+    ) -> SorterOutputs {
         let mut outputs_ = const {
             SorterOutputs {
                 feed: false,

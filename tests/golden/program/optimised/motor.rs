@@ -11,7 +11,13 @@ impl Motor {
     }
 }
 impl Motor {
-    pub fn cycle(&mut self, inputs_: &MotorInputs) -> MotorOutputs {
+    pub fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &MotorInputs,
+        #[cfg(doc)]
+        inputs: &MotorInputs,
+    ) -> MotorOutputs {
         let mut outputs_ = const {
             MotorOutputs {
                 relay: false,
