@@ -89,7 +89,7 @@ fn a_claim_that_is_broken_lets_the_chart_run() {
 
 #[test]
 fn other_notations() {
-    assert!(translated(MOTOR, "rust")["text"].as_str().expect("Rust").contains("pub fn cycle("));
+    assert!(translated(MOTOR, "rust")["text"].as_str().expect("Rust").contains("fn cycle("));
     assert!(translated(MOTOR, "case")["text"].as_str().expect("a program").contains("CASE StepNo OF"));
     assert!(translated(MOTOR, "flip-flops")["text"].as_str().expect("a program").contains("FUNCTION_BLOCK Motor"));
     assert!(translated(MOTOR, "sfc")["text"].as_str().expect("a program").contains("INITIAL_STEP OffStep:"));
