@@ -52,7 +52,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
         }
     }
     for (regions, names) in groups {
-        let (Some(names), Some(group)) = (names, Group::of(program, regions)) else { continue };
+        let Some(names) = names else { continue };
+        let Some(group) = Group::of(program, regions) else { continue };
         if let Some(walked) = Walk::through(&group, program, Some(&names)) {
             group.unite(program, walked.cycle, &names);
         }
