@@ -30,6 +30,8 @@ const SHAPES: &[(&str, Form, Search)] = &[
     ("program_hierarchy", Form::Program, Search::None),
     ("program_forced_sfc", Form::Program, Search::None),
     ("program_forced_grafcet", Form::Program, Search::None),
+    ("program_forced_branches", Form::Program, Search::None),
+    ("program_synchronised", Form::Program, Search::None),
     ("in_place_sfc", Form::InPlace, Search::None),
     ("flags_sfc", Form::Flags, Search::None),
     ("compared_sfc", Form::Compared, Search::None),
@@ -79,7 +81,8 @@ fn what_is_no_longer_by_state_is_a_program() {
     };
     assert_eq!(shaped("operating_modes", "ModalPress"), Ok(Form::Program));
     assert_eq!(shaped("packaging_line", "PackagingLine"), Ok(Form::Program));
-    assert_eq!(shaped("buffer", "grafcet Buffer"), Ok(Form::Compared));
+    assert_eq!(shaped("buffer", "grafcet Buffer"), Ok(Form::Program));
+    assert_eq!(shaped("selections_of_rust", "grafcet Float"), Ok(Form::Compared));
 }
 
 #[test]

@@ -8,6 +8,7 @@ use proc_macro2::{Literal, TokenStream};
 use super::bind::Moment;
 use super::machine::Machine;
 use super::names::Names;
+use super::state::StateEnum;
 use super::{Cx, names, requirements, state};
 use crate::analysis::{Facts, Situations};
 use crate::list::List;
@@ -19,7 +20,7 @@ use crate::plan::RegionId;
 pub(super) fn all(cx: &Cx<'_>, facts: &Facts<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     let body = machine.forced.as_ref()?;
     let situations = if cx.is_alone() { Situations::Alone } else { Situations::of(cx.model, facts) };
-    Some(cx.force(&possible(&situations, &cx.p), body))
+    Some(cx.force(&possible(&situations, &cx.p), &cx.forced_situation(machine), body))
 }
 
 /// `Possible::Pairs(b"…")`
@@ -59,11 +60,10 @@ impl Cx<'_> {
         Some(if twin.model.is_grafcet() { twin.by_search() } else { twin.by_scan() })
     }
 
-    fn force(&self, possible: &TokenStream, body: &TokenStream) -> TokenStream {
+    fn force(&self, possible: &TokenStream, ask: &TokenStream, body: &TokenStream) -> TokenStream {
         let Cx { model, p, names, .. } = self;
         let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
         let (inputs, outputs) = (&names.inputs, &names.outputs);
-        let ask = self.forced_situation();
         let (copied, levels) = (requirements::copied(model, p), super::types::levels(model));
         let unreached = super::unreached::allowed(model);
         let time = self.plan.memory.time;
@@ -114,7 +114,7 @@ impl Cx<'_> {
     }
 
     /// The situation that is asked for, as the states of the regions.
-    fn forced_situation(&self) -> TokenStream {
+    fn forced_situation(&self, machine: &Machine<'_>) -> TokenStream {
         let forced = names::local("forced");
         if self.plan.shape.is_flags() {
             let bytes = Literal::usize_suffixed(self.flag_bytes());
@@ -138,7 +138,8 @@ impl Cx<'_> {
         let arms = self.model.steps.ids().map(arm).tokens();
         let states = regions.map(|region| {
             let name = asked(region);
-            let none = if self.plan.regions.all()[region].may_be_empty {
+            let is_empty = |states: &StateEnum| states.region == region && states.empty;
+            let none = if machine.regions.iter().any(is_empty) {
                 self.empty(region)
             } else {
                 quote!(return #p::Result::Err(#p::ForceError::NoSituation))

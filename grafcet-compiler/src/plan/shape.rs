@@ -70,7 +70,7 @@ impl Known<'_> {
         recorded: bool,
     ) -> (Shape, Option<Made<'m>>) {
         let mut shape = Shape::of(model, &self);
-        let has_branches = self.regions.all().len() > 1 && !model.forceable;
+        let has_branches = self.regions.all().len() > 1;
         let lean = if has_branches && shape.may_be_program(model, &self) {
             program::lean(model, facts, recorded)
         } else {

@@ -1,128 +1,86 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
-impl Fill {
+impl Counter {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
         &mut self,
         #[cfg(not(doc))]
-        inputs_: &FillInputs,
+        inputs_: &CounterInputs,
         #[cfg(doc)]
-        inputs: &FillInputs,
-    ) -> FillOutputs {
-        let mut outputs_ = FillOutputs {
-            valve: false,
-            pump: false,
-        };
-        self.region_0 = self.region_0.unmarked();
-        let mut evolutions_left_: u32 = 14;
+        inputs: &CounterInputs,
+    ) -> CounterOutputs {
+        let mut outputs_ = CounterOutputs { many: false };
+        self.situation = self.situation.unmarked();
+        if self.situation.state() == __CounterState::INIT {
+            self.situation = __CounterStateMark::of(__CounterState::Always);
+        }
+        let mut evolutions_left_: u32 = 4;
+        let mut rising_now_0_ = false;
+        let mut rising_now_1_ = false;
         loop {
             let inputs_ = core::hint::black_box(inputs_);
-            let before_0_ = self.region_0.state();
-            let before_1_ = self.region_1;
-            let mut after_0_ = before_0_;
-            let mut after_1_ = before_1_;
-            match before_0_ {
-                __FillRegion0::Wait => {
-                    if inputs_.stop {
-                        after_0_ = __FillRegion0::Stopped;
-                    } else if {
-                        let value_ = inputs_.start && (!inputs_.stop);
-                        value_
-                    } {
-                        after_0_ = __FillRegion0::Valve;
-                        after_1_ = __FillRegion1::Pump;
-                    } else {}
-                }
-                __FillRegion0::Valve => {
-                    if inputs_.stop {
-                        after_0_ = __FillRegion0::Stopped;
-                    } else if {
-                        let value_ = inputs_.full && (!inputs_.stop);
-                        value_
-                    } {
-                        after_0_ = __FillRegion0::Open;
-                    } else {}
-                }
-                __FillRegion0::Open => {
-                    if inputs_.stop {
-                        after_0_ = __FillRegion0::Stopped;
-                    } else if (before_1_ == __FillRegion1::Running)
-                        && {
-                            let stop = inputs_.stop;
-                            (true) && (!stop)
-                        }
-                    {
-                        after_1_ = __FillRegion1::NONE;
-                        after_0_ = __FillRegion0::Wait;
-                    }
-                }
-                __FillRegion0::Stopped => {
+            let before_ = self.situation.state();
+            let mut after_ = before_;
+            let edge_before_0_ = self.edge_0;
+            let edge_before_1_ = self.edge_1;
+            let value_: bool = inputs_.pulse;
+            rising_now_0_ = value_ && !self.edge_0;
+            self.edge_0 = value_;
+            let value_: bool = inputs_.clear;
+            rising_now_1_ = value_ && !self.edge_1;
+            self.edge_1 = value_;
+            let mut next_count_ = self.var_count;
+            match before_ {
+                __CounterState::Always => {
                     if {
-                        let stop = inputs_.stop;
-                        let active_0_ = before_0_ == __FillRegion0::Wait;
-                        let active_1_ = before_0_ == __FillRegion0::Valve;
-                        let active_2_ = before_0_ == __FillRegion0::Open;
-                        let active_3_ = before_1_ == __FillRegion1::Pump;
-                        let active_4_ = before_1_ == __FillRegion1::Running;
-                        (!stop)
-                            && (!(stop
-                                && (active_0_ || active_1_
-                                    || (active_2_ || (active_3_ || active_4_)))))
+                        let rising_0_ = rising_now_0_;
+                        let rising_1_ = rising_now_1_;
+                        rising_0_ && !rising_1_
                     } {
-                        after_0_ = __FillRegion0::Wait;
+                        next_count_ = {
+                            let count = self.var_count;
+                            (count + 1) % 1000
+                        };
                     }
-                }
-            }
-            match before_1_ {
-                __FillRegion1::Pump => {
-                    if inputs_.stop {
-                        after_1_ = __FillRegion1::NONE;
-                        after_0_ = __FillRegion0::Stopped;
-                    } else if {
-                        let value_ = inputs_.full && (!inputs_.stop);
-                        value_
+                    if {
+                        let rising_1_ = rising_now_1_;
+                        rising_1_
                     } {
-                        after_1_ = __FillRegion1::Running;
-                    } else {}
-                }
-                __FillRegion1::Running => {
-                    if inputs_.stop {
-                        after_1_ = __FillRegion1::NONE;
-                        after_0_ = __FillRegion0::Stopped;
+                        next_count_ = 0;
                     }
                 }
                 _ => {}
             }
-            if after_0_ == before_0_ && after_1_ == before_1_ {
+            if after_ == before_ && next_count_ == self.var_count {
                 break;
             }
             if evolutions_left_ == 0 {
-                self.region_0 = self.region_0.marked();
+                self.edge_0 = edge_before_0_;
+                self.edge_1 = edge_before_1_;
+                self.situation = self.situation.marked();
                 break;
             }
             evolutions_left_ -= 1;
-            self.region_0 = __FillRegion0Mark::of(after_0_);
-            self.region_1 = after_1_;
+            self.var_count = next_count_;
+            self.situation = __CounterStateMark::of(after_);
         }
-        let after_0_ = self.region_0.state();
-        let after_1_ = self.region_1;
-        match after_0_ {
-            __FillRegion0::Valve => {
-                outputs_.valve = true;
-            }
-            _ => {}
-        }
-        match after_1_ {
-            __FillRegion1::Pump => {
-                outputs_.pump = true;
+        let after_ = self.situation.state();
+        match after_ {
+            __CounterState::Always => {
+                if {
+                    let count = self.var_count;
+                    count > 100
+                } {
+                    outputs_.many = true;
+                }
             }
             _ => {}
         }
         outputs_
     }
 }
-impl Fill {
+impl Counter {
     /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
     /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.
     ///
@@ -134,40 +92,24 @@ impl Fill {
     fn force(
         &mut self,
         #[cfg(not(doc))]
-        steps_: &[FillStep],
+        steps_: &[CounterStep],
         #[cfg(doc)]
-        steps: &[FillStep],
+        steps: &[CounterStep],
         #[cfg(not(doc))]
-        inputs_: &FillInputs,
+        inputs_: &CounterInputs,
         #[cfg(doc)]
-        inputs: &FillInputs,
+        inputs: &CounterInputs,
     ) -> Result<
-        FillOutputs,
-        ForceError<FillStep>,
+        CounterOutputs,
+        ForceError<CounterStep>,
     > {
-        Possible::Listed(b"\x01\n\x14 ")
+        Possible::Alone
             .look(<Self as Chart>::STEPS, steps_)?;
-        let mut forced0_: Option<__FillRegion0> = Option::None;
-        let mut forced1_: Option<__FillRegion1> = Option::None;
+        let mut forced0_: Option<__CounterState> = Option::None;
         for step_ in steps_ {
             match *step_ {
-                FillStep::Wait => {
-                    forced0_ = Option::Some(__FillRegion0::Wait);
-                }
-                FillStep::Valve => {
-                    forced0_ = Option::Some(__FillRegion0::Valve);
-                }
-                FillStep::Open => {
-                    forced0_ = Option::Some(__FillRegion0::Open);
-                }
-                FillStep::Pump => {
-                    forced1_ = Option::Some(__FillRegion1::Pump);
-                }
-                FillStep::Running => {
-                    forced1_ = Option::Some(__FillRegion1::Running);
-                }
-                FillStep::Stopped => {
-                    forced0_ = Option::Some(__FillRegion0::Stopped);
+                CounterStep::Always => {
+                    forced0_ = Option::Some(__CounterState::Always);
                 }
             }
         }
@@ -179,39 +121,70 @@ impl Fill {
                 );
             }
         };
-        let forced1_ = match forced1_ {
-            Option::Some(state_) => state_,
-            Option::None => __FillRegion1::NONE,
-        };
         Result::Ok({
-            let mut outputs_ = FillOutputs {
-                valve: false,
-                pump: false,
-            };
-            self.region_0 = self.region_0.unmarked();
-            {
-                let before_0_ = self.region_0.state();
-                let before_1_ = self.region_1;
-                let after_0_ = forced0_;
-                let after_1_ = forced1_;
-                self.region_0 = __FillRegion0Mark::of(after_0_);
-                self.region_1 = after_1_;
+            let mut outputs_ = CounterOutputs { many: false };
+            self.situation = self.situation.unmarked();
+            if self.situation.state() == __CounterState::INIT {
+                self.situation = __CounterStateMark::of(__CounterState::Always);
             }
+            let mut rising_now_0_ = false;
+            let mut rising_now_1_ = false;
             {
-                let before_0_ = self.region_0.state();
-                let before_1_ = self.region_1;
-            }
-            let after_0_ = self.region_0.state();
-            let after_1_ = self.region_1;
-            match after_0_ {
-                __FillRegion0::Valve => {
-                    outputs_.valve = true;
+                let before_ = self.situation.state();
+                let after_ = forced0_;
+                let value_: bool = inputs_.pulse;
+                rising_now_0_ = value_ && !self.edge_0;
+                self.edge_0 = value_;
+                let value_: bool = inputs_.clear;
+                rising_now_1_ = value_ && !self.edge_1;
+                self.edge_1 = value_;
+                let mut next_count_ = self.var_count;
+                match before_ {
+                    __CounterState::Always => {
+                        if {
+                            let rising_0_ = rising_now_0_;
+                            let rising_1_ = rising_now_1_;
+                            rising_0_ && !rising_1_
+                        } {
+                            next_count_ = {
+                                let count = self.var_count;
+                                (count + 1) % 1000
+                            };
+                        }
+                        if {
+                            let rising_1_ = rising_now_1_;
+                            rising_1_
+                        } {
+                            next_count_ = 0;
+                        }
+                    }
+                    _ => {}
                 }
-                _ => {}
+                self.var_count = next_count_;
+                self.situation = __CounterStateMark::of(after_);
             }
-            match after_1_ {
-                __FillRegion1::Pump => {
-                    outputs_.pump = true;
+            let edge_before_0_ = self.edge_0;
+            let edge_before_1_ = self.edge_1;
+            {
+                let before_ = self.situation.state();
+                let value_: bool = inputs_.pulse;
+                rising_now_0_ = value_ && !self.edge_0;
+                self.edge_0 = value_;
+                let value_: bool = inputs_.clear;
+                rising_now_1_ = value_ && !self.edge_1;
+                self.edge_1 = value_;
+            }
+            self.edge_0 = edge_before_0_;
+            self.edge_1 = edge_before_1_;
+            let after_ = self.situation.state();
+            match after_ {
+                __CounterState::Always => {
+                    if {
+                        let count = self.var_count;
+                        count > 100
+                    } {
+                        outputs_.many = true;
+                    }
                 }
                 _ => {}
             }

@@ -1,214 +1,73 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
-impl Fill {
+impl Counter {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
         &mut self,
         #[cfg(not(doc))]
-        inputs_: &FillInputs,
+        inputs_: &CounterInputs,
         #[cfg(doc)]
-        inputs: &FillInputs,
-    ) -> FillOutputs {
-        let mut outputs_ = FillOutputs {
-            valve: false,
-            pump: false,
-        };
+        inputs: &CounterInputs,
+    ) -> CounterOutputs {
+        let mut outputs_ = CounterOutputs { many: false };
+        if self.situation == __CounterState::INIT {
+            self.situation = __CounterState::Always;
+        }
+        let mut rising_now_0_ = false;
+        let mut rising_now_1_ = false;
+        let value_: bool = inputs_.pulse;
+        rising_now_0_ = value_ && !self.edge_0;
+        self.edge_0 = value_;
+        let value_: bool = inputs_.clear;
+        rising_now_1_ = value_ && !self.edge_1;
+        self.edge_1 = value_;
         loop {
             let inputs_ = core::hint::black_box(inputs_);
-            let before_0_ = self.region_0;
-            let before_1_ = self.region_1;
-            let mut after_0_ = before_0_;
-            let mut after_1_ = before_1_;
-            match before_0_ {
-                __FillRegion0::Wait => {
-                    if inputs_.stop {
-                        after_0_ = __FillRegion0::Stopped;
-                    } else if {
-                        let value_ = inputs_.start && (!inputs_.stop);
-                        value_
-                    } {
-                        after_0_ = __FillRegion0::Valve;
-                        after_1_ = __FillRegion1::Pump;
-                    } else {}
-                }
-                __FillRegion0::Valve => {
-                    if inputs_.stop {
-                        after_0_ = __FillRegion0::Stopped;
-                    } else if {
-                        let value_ = inputs_.full && (!inputs_.stop);
-                        value_
-                    } {
-                        after_0_ = __FillRegion0::Open;
-                    } else {}
-                }
-                __FillRegion0::Open => {
-                    if inputs_.stop {
-                        after_0_ = __FillRegion0::Stopped;
-                    } else if (before_1_ == __FillRegion1::Running)
-                        && {
-                            let value_ = (!inputs_.start) && (!inputs_.stop);
-                            value_
-                        }
-                    {
-                        after_1_ = __FillRegion1::NONE;
-                        after_0_ = __FillRegion0::Wait;
-                    }
-                }
-                __FillRegion0::Stopped => {
+            let before_ = self.situation;
+            let mut after_ = before_;
+            let mut next_count_ = self.var_count;
+            match before_ {
+                __CounterState::Always => {
                     if {
-                        let stop = inputs_.stop;
-                        let start = inputs_.start;
-                        let active_0_ = before_0_ == __FillRegion0::Wait;
-                        let active_1_ = before_0_ == __FillRegion0::Valve;
-                        let active_2_ = before_0_ == __FillRegion0::Open;
-                        let active_3_ = before_1_ == __FillRegion1::Pump;
-                        let active_4_ = before_1_ == __FillRegion1::Running;
-                        (!stop && !start)
-                            && (!(stop
-                                && (active_0_ || active_1_
-                                    || (active_2_ || (active_3_ || active_4_)))))
+                        let rising_0_ = rising_now_0_;
+                        let rising_1_ = rising_now_1_;
+                        rising_0_ && !rising_1_
                     } {
-                        after_0_ = __FillRegion0::Wait;
+                        next_count_ = {
+                            let count = self.var_count;
+                            (count + 1) % 1000
+                        };
                     }
-                }
-            }
-            match before_1_ {
-                __FillRegion1::Pump => {
-                    if inputs_.stop {
-                        after_1_ = __FillRegion1::NONE;
-                        after_0_ = __FillRegion0::Stopped;
-                    } else if {
-                        let value_ = inputs_.full && (!inputs_.stop);
-                        value_
+                    if {
+                        let rising_1_ = rising_now_1_;
+                        rising_1_
                     } {
-                        after_1_ = __FillRegion1::Running;
-                    } else {}
-                }
-                __FillRegion1::Running => {
-                    if inputs_.stop {
-                        after_1_ = __FillRegion1::NONE;
-                        after_0_ = __FillRegion0::Stopped;
+                        next_count_ = 0;
                     }
                 }
                 _ => {}
             }
-            if after_0_ == before_0_ && after_1_ == before_1_ {
+            if after_ == before_ && next_count_ == self.var_count {
                 break;
             }
-            self.region_0 = after_0_;
-            self.region_1 = after_1_;
+            self.var_count = next_count_;
+            self.situation = after_;
+            rising_now_0_ = false;
+            rising_now_1_ = false;
         }
-        let after_0_ = self.region_0;
-        let after_1_ = self.region_1;
-        match after_0_ {
-            __FillRegion0::Valve => {
-                outputs_.valve = true;
-            }
-            _ => {}
-        }
-        match after_1_ {
-            __FillRegion1::Pump => {
-                outputs_.pump = true;
+        let after_ = self.situation;
+        match after_ {
+            __CounterState::Always => {
+                if {
+                    let count = self.var_count;
+                    count > 100
+                } {
+                    outputs_.many = true;
+                }
             }
             _ => {}
         }
         outputs_
-    }
-}
-impl Fill {
-    /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
-    /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.
-    ///
-    /// For commissioning: nothing that the compiler has proved of the chart's ways holds on this one.
-    ///
-    /// # Errors
-    /// The chart is never in exactly these steps; then nothing has happened.
-    #[allow(unused_assignments, unused_mut, unused_variables)]
-    fn force(
-        &mut self,
-        #[cfg(not(doc))]
-        steps_: &[FillStep],
-        #[cfg(doc)]
-        steps: &[FillStep],
-        #[cfg(not(doc))]
-        inputs_: &FillInputs,
-        #[cfg(doc)]
-        inputs: &FillInputs,
-    ) -> Result<
-        FillOutputs,
-        ForceError<FillStep>,
-    > {
-        Possible::Listed(b"\x01\n\x14 ")
-            .look(<Self as Chart>::STEPS, steps_)?;
-        let mut forced0_: Option<__FillRegion0> = Option::None;
-        let mut forced1_: Option<__FillRegion1> = Option::None;
-        for step_ in steps_ {
-            match *step_ {
-                FillStep::Wait => {
-                    forced0_ = Option::Some(__FillRegion0::Wait);
-                }
-                FillStep::Valve => {
-                    forced0_ = Option::Some(__FillRegion0::Valve);
-                }
-                FillStep::Open => {
-                    forced0_ = Option::Some(__FillRegion0::Open);
-                }
-                FillStep::Pump => {
-                    forced1_ = Option::Some(__FillRegion1::Pump);
-                }
-                FillStep::Running => {
-                    forced1_ = Option::Some(__FillRegion1::Running);
-                }
-                FillStep::Stopped => {
-                    forced0_ = Option::Some(__FillRegion0::Stopped);
-                }
-            }
-        }
-        let forced0_ = match forced0_ {
-            Option::Some(state_) => state_,
-            Option::None => {
-                return Result::Err(
-                    ForceError::NoSituation,
-                );
-            }
-        };
-        let forced1_ = match forced1_ {
-            Option::Some(state_) => state_,
-            Option::None => __FillRegion1::NONE,
-        };
-        Result::Ok({
-            let mut outputs_ = FillOutputs {
-                valve: false,
-                pump: false,
-            };
-            {
-                let before_0_ = self.region_0;
-                let before_1_ = self.region_1;
-                let after_0_ = forced0_;
-                let after_1_ = forced1_;
-                self.region_0 = after_0_;
-                self.region_1 = after_1_;
-            }
-            {
-                let before_0_ = self.region_0;
-                let before_1_ = self.region_1;
-            }
-            let after_0_ = self.region_0;
-            let after_1_ = self.region_1;
-            match after_0_ {
-                __FillRegion0::Valve => {
-                    outputs_.valve = true;
-                }
-                _ => {}
-            }
-            match after_1_ {
-                __FillRegion1::Pump => {
-                    outputs_.pump = true;
-                }
-                _ => {}
-            }
-            outputs_
-        })
     }
 }

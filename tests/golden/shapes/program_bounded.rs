@@ -16,20 +16,19 @@ impl Lamp {
         if first_ {
             self.situation = self.situation.with(__LampState::Off);
         }
+        let edge0_now_: bool = inputs_.next;
+        if first_ {
+            self.edge0_before = edge0_now_;
+        }
         let mut now_state_: __LampState = self.situation.state();
         self.situation = __LampStateMark::of(now_state_);
         self.situation = self.situation.unmarked();
-        let mut edge0_now_: bool = false;
         let mut evolutions_: u32 = 0;
         loop {
             let inputs_ = core::hint::black_box(inputs_);
             fence_on_armv6m();
             match now_state_ {
                 __LampState::Off => {
-                    edge0_now_ = inputs_.next;
-                    if first_ && evolutions_ == 0 {
-                        self.edge0_before = edge0_now_;
-                    }
                     if inputs_.on {
                         if evolutions_ == 8 {
                             self.situation = self.situation.marked();
@@ -42,10 +41,6 @@ impl Lamp {
                     }
                 }
                 __LampState::On => {
-                    edge0_now_ = inputs_.next;
-                    if first_ && evolutions_ == 0 {
-                        self.edge0_before = edge0_now_;
-                    }
                     if inputs_.off {
                         if evolutions_ == 8 {
                             self.situation = self.situation.marked();
@@ -67,10 +62,6 @@ impl Lamp {
                     }
                 }
                 __LampState::Bright => {
-                    edge0_now_ = inputs_.next;
-                    if first_ && evolutions_ == 0 {
-                        self.edge0_before = edge0_now_;
-                    }
                     if inputs_.off {
                         if evolutions_ == 8 {
                             self.situation = self.situation.marked();

@@ -129,6 +129,9 @@ impl Known<'_, '_> {
                 Expr::All(inner) if and => rest.extend(inner),
                 Expr::Any(inner) if !and => rest.extend(inner),
                 part if rest.iter().any(|other| same(other, &part) && is_pure(&part)) => {}
+                part if rest.iter().any(|other| excludes(other, &part)) && rest.iter().all(is_pure) => {
+                    return truth(!and);
+                }
                 part => rest.push(part),
             }
         }
@@ -194,5 +197,13 @@ fn compared<'m>(comparison: Comparison, a: Expr<'m>, b: Expr<'m>) -> Expr<'m> {
             (_, Expr::Value(Value::Ticks(0))) if is_pure(&a) => truth(comparison == Comparison::AtLeast),
             _ => Expr::Compare(comparison, Box::new(a), Box::new(b)),
         },
+    }
+}
+
+/// Whether one says the opposite of the other.
+pub(super) fn excludes(a: &Expr<'_>, b: &Expr<'_>) -> bool {
+    match (a, b) {
+        (Expr::Not(inner), other) | (other, Expr::Not(inner)) => same(inner, other) && is_pure(inner),
+        _ => false,
     }
 }

@@ -7,6 +7,7 @@
 //! - `marks`: what observers are told, where nobody observes
 //! - `decompose`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
+//! - `peel`: what a search does in its first round alone, or in each round alike
 //! - `straight`: the search of a `grafcet` that ends with its first evolution is no loop
 //! - `split`: one match on the state before, one on the state after; what fields hold in each state
 //! - `told`: an output that each state tells is no field
@@ -15,7 +16,6 @@
 //! - `several`: of several regions, each looked at by itself as far as that is possible
 //! - `rounds`: of the search over several regions, what forces and encloses first, and one match for each region
 //! - `starting`: the first cycle of a `grafcet` is a state
-//! - `peel`: what a search does in its first round alone, or in each round alike
 //! - `stays`: a stored value that changes only where something moves is not compared
 //! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
@@ -92,6 +92,7 @@ pub enum Pass {
     Marks,
     Decompose,
     Outputs,
+    Peel,
     Straight,
     Split,
     /// What fields hold in each state, within `Split`.
@@ -106,7 +107,6 @@ pub enum Pass {
     Several,
     Rounds,
     Starting,
-    Peel,
     Stays,
     Hoist,
     Forward,
@@ -134,6 +134,7 @@ impl Pass {
         Self::Marks,
         Self::Decompose,
         Self::Outputs,
+        Self::Peel,
         Self::Straight,
         Self::Split,
         Self::Known,
@@ -144,7 +145,6 @@ impl Pass {
         Self::Several,
         Self::Rounds,
         Self::Starting,
-        Self::Peel,
         Self::Stays,
         Self::Hoist,
         Self::Forward,
@@ -167,22 +167,14 @@ impl Pass {
     ];
 
     /// Those that look nothing up by state.
-    pub(crate) const FLAT: [Self; 6] =
-        [Self::Marks, Self::Decompose, Self::Outputs, Self::Hoist, Self::Forward, Self::Dead];
+    pub(crate) const FLAT: [Self; 7] =
+        [Self::Marks, Self::Decompose, Self::Outputs, Self::Peel, Self::Hoist, Self::Forward, Self::Dead];
 
     /// Whether it takes for granted that a state is entered by the ways of the chart's own cycle alone.
     fn follows_cycles(self) -> bool {
         matches!(
             self,
-            Self::Known
-                | Self::Told
-                | Self::Moved
-                | Self::Before
-                | Self::Several
-                | Self::Rounds
-                | Self::Begun
-                | Self::Nested
-                | Self::United
+            Self::Known | Self::Told | Self::Moved | Self::Before | Self::Begun | Self::Nested | Self::United
         )
     }
 }
@@ -199,6 +191,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Outputs) {
         outputs::pass(program);
+    }
+    if wants(Pass::Peel) {
+        peel::pass(program);
     }
     if wants(Pass::Straight) {
         straight::pass(program);
@@ -225,9 +220,6 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Starting) {
         starting::pass(program);
-    }
-    if wants(Pass::Peel) {
-        peel::pass(program);
     }
     if wants(Pass::Stays) {
         stays::pass(program);

@@ -9,12 +9,15 @@
 //!   evolutions = 1                                           evolutions = 1
 //! ```
 //!
+//! What is set from the situation there, as what an edge of a step compares with, is known in the first round of the first cycle.
+//!
 //! Needs: it can change places with all that stands in front of it in the round. What each round does alike reads nothing that a round writes; what is done in the first
 //! one asks for the number of evolutions, which every round raises that another one follows.
 
 use super::super::build::all;
-use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
-use super::fold::initial;
+use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::fold::{Known, initial};
+use super::search::opened;
 use super::uses::{Effects, each_read, each_written, is_pure, leaves, mentions, writes_to};
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -31,7 +34,9 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, before:
         match &mut statement {
             Statement::Part(_, body) => block(program, body, before),
             Statement::Loop { body, .. } => {
+                *body = opened(body);
                 let counters = counters(&program.places, body, before);
+                all.append(&mut begun(&program.places, body, &counters, before));
                 all.append(&mut peeled(&program.places, body, &counters));
             }
             _ => {}
@@ -83,6 +88,68 @@ fn peeled<'m>(places: &[PlaceInfo<'m>], body: &mut Vec<Statement<'m>>, counters:
     out
 }
 
+/// What the first round of the first cycle alone does, where it is known what fields hold by then: the edge of a step, say, has the initial situation to
+/// look at.
+fn begun<'m>(
+    places: &[PlaceInfo<'m>],
+    body: &mut Vec<Statement<'m>>,
+    counters: &[PlaceId],
+    before: &Effects,
+) -> Vec<Statement<'m>> {
+    let mut held: Vec<Option<Value>> = Vec::with_capacity(places.len());
+    for (at, place) in places.iter().enumerate() {
+        held.push(initial(place).filter(|_| place.is_field && !before.writes.contains(&PlaceId(at))));
+    }
+    let (mut out, mut passed, mut at) = (Vec::new(), Effects::default(), 0);
+    while at < body.len() && !passed.leaves {
+        let value = |place: PlaceId| held[place.0];
+        let known = Known { places, value: &value, copy: &|_| None, among: &|_| None, now: &|_| false };
+        match in_first(&body[at], counters) {
+            Some(Statement::If(first @ Expr::Place(place), then, _)) if places[place.0].role == Role::First => {
+                let given = given(&then, &known, &passed);
+                if let Some(given) = given {
+                    body.remove(at);
+                    let changed = given.into_iter().filter(|(to, value)| held[to.0] != Some(*value));
+                    let changed: Vec<_> = changed.map(|(to, value)| Statement::Set(to, Expr::Value(value))).collect();
+                    if !changed.is_empty() {
+                        out.push(Statement::If(first, changed, Vec::new()));
+                    }
+                    continue;
+                }
+            }
+            _ => {}
+        }
+        let found = match &body[at] {
+            Statement::Set(place, value) => match known.fold(value) {
+                Expr::Value(value) => Some((*place, value)),
+                _ => None,
+            },
+            _ => None,
+        };
+        each_written(std::slice::from_ref(&body[at]), &mut |place| held[place.0] = None);
+        if let Some((place, value)) = found {
+            held[place.0] = Some(value);
+        }
+        passed.add(&body[at]);
+        at += 1;
+    }
+    out
+}
+
+/// What fields are set to, if that is known and nothing in front of it has to do with them.
+fn given<'m>(then: &[Statement<'m>], known: &Known<'_, 'm>, passed: &Effects) -> Option<Vec<(PlaceId, Value)>> {
+    let mut given = Vec::new();
+    for one in then {
+        let Statement::Set(to, value) = one else { return None };
+        let Expr::Value(value) = known.fold(value) else { return None };
+        if passed.reads.contains(to) || passed.writes.contains(to) || matches!(known.places[to.0].ty, Type::User(_)) {
+            return None;
+        }
+        given.push((*to, value));
+    }
+    Some(given)
+}
+
 /// Without the question whether this is the first round.
 fn in_first<'m>(statement: &Statement<'m>, counters: &[PlaceId]) -> Option<Statement<'m>> {
     let Statement::If(condition @ Expr::All(parts), then, otherwise) = statement else { return None };
@@ -109,6 +176,10 @@ fn is_alike(places: &[PlaceInfo<'_>], body: &[Statement<'_>], at: usize) -> bool
     }
     let mut fixed = vec![*place];
     each_read(value, &mut |read| fixed.push(read));
+    // Who looks at a situation looks for copies of all its states.
+    if fixed.iter().any(|place| matches!(places[place.0].ty, Type::State(_))) {
+        return false;
+    }
     let mut stays = true;
     for others in [&body[..at], &body[at + 1..]] {
         each_written(others, &mut |written| stays &= !fixed.contains(&written));

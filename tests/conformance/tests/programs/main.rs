@@ -19,6 +19,7 @@ use proc_macro2::TokenStream;
 mod needs;
 mod passes;
 mod regions;
+mod synchronised;
 
 #[path = "../../../charts/mod.rs"]
 #[allow(dead_code, unreachable_pub, reason = "its other half is for expansions")]

@@ -232,3 +232,20 @@ fn a_condition_of_one_state_stands_in_its_arm() {
     assert!(words.contains(arm), "{text}");
     assert!(!text.contains("state.Ready is Wait"), "{text}");
 }
+
+/// What an edge of a step compares with is known in the first cycle, in which no arm asks for it; what a delay shows then is not.
+#[test]
+fn an_edge_of_a_step_begins_with_the_initial_situation() {
+    let chart = "grafcet Listens { input a, b: bool; output p, q: bool; output n, m: u8; \
+         partial Count { initial step Ears { on rising(Go.X) n = n % 50 + 1; on falling(Rest.X) m = m % 50 + 1; on rising(2ms/b) p = !p; } } \
+         partial Drive { initial step Rest; step Go { q; } step Back; Rest -[a]-> Go -[!a]-> Back -[rising(1ms/b/5ms) || !b && 9ms/Back]-> Rest; } }";
+    let text = optimised(&read(chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string();
+    assert!(!text.contains("evolutions == 0"), "{text}");
+    assert_eq!(text.matches("edge1.before = true").count(), 1, "{text}");
+    assert_eq!(text.matches("edge0.before = ").count(), 2, "{text}");
+    each_left_out(&read(chart), &drawn(&[("a", false), ("b", false)], 300), 100);
+    // The delay is over in the first cycle: that is no edge.
+    let timeline =
+        drawn(&[("a", false), ("b", false)], 300).replacen("---\n---\n", "---\n---\na b @4294967230 | |\n", 1);
+    each_left_out(&read(&chart.replace("rising(2ms/b)", "rising(0ms/b/4ms)")), &timeline, 100);
+}

@@ -157,10 +157,15 @@ impl<'m> Cycle<'m> {
             let behind = last.spec(&self.behind, &env);
             let mut several = Several::over(program, self.read_after_turn(&last.read_after, &behind))?;
             several.full.clone_from(&full);
-            let ties = Turn::of(&several, &self.turn, &self.free).ties(&env, &begin);
-            several.ties = ties;
+            // A situation that is asked for by hand is known by pairs of steps alone.
+            let follows = program.forced.is_none();
+            if follows {
+                several.ties = Turn::of(&several, &self.turn, &self.free).ties(&env, &begin);
+            }
             let mut turn = Turn::of(&several, &self.turn, &self.free).statements(&env)?;
-            several.meetings = meetings(&several, &turn, &begin);
+            if follows {
+                several.meetings = meetings(&several, &turn, &begin);
+            }
             if several.meetings.iter().any(|meeting| several.keeps_a_step(meeting)) {
                 several.renew(program);
                 turn = Turn::of(&several, &self.turn, &self.free).statements(&env)?;

@@ -22,7 +22,16 @@ impl<'m> Several<'_, 'm> {
         if let Some(done) = self.by_head(&part, env) {
             return done;
         }
-        self.by_condition(part, env)
+        let synchronised = self.synchronised(&part);
+        let by_clearing = if synchronised.len() == 1 { None } else { self.by_clearing(&part, env) };
+        match by_clearing {
+            Some(done) if synchronised.len() > FEW => done,
+            Some(done) => {
+                let by_condition = self.by_condition(part, &synchronised, env);
+                if weight(&done) < weight(&by_condition) { done } else { by_condition }
+            }
+            None => self.by_condition(part, &synchronised, env),
+        }
     }
 
     /// First the states of one region beside which nothing else is active.
@@ -76,8 +85,8 @@ impl<'m> Several<'_, 'm> {
         Some(all)
     }
 
-    /// First a condition that looks at several regions: the one that leaves the least to do, where these are few.
-    fn by_condition(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
+    /// The conditions that look at several regions.
+    fn synchronised(&self, part: &Part<'m>) -> Vec<usize> {
         let mut found = Vec::new();
         for (at, statement) in part.statements.iter().enumerate() {
             let Statement::Set(place, value) = statement else { continue };
@@ -87,15 +96,18 @@ impl<'m> Several<'_, 'm> {
                 found.push(at);
             }
         }
-        if found.len() > FEW {
-            found.truncate(1);
-        }
+        found
+    }
+
+    /// First such a condition: the one that leaves the least to do, where these are few.
+    fn by_condition(&self, part: Part<'m>, found: &[usize], env: &Env) -> Vec<Statement<'m>> {
+        let found = if found.len() > FEW { &found[..1] } else { found };
         let mut best: Option<(usize, Vec<Statement<'m>>)> = None;
         for at in found {
             if self.effort.get() == 0 {
                 break;
             }
-            let asked = self.asked_first(part.clone(), at, env);
+            let asked = self.asked_first(part.clone(), *at, env);
             let weight = weight(&asked);
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
                 best = Some((weight, asked));

@@ -14,11 +14,13 @@
 //!
 //! Some statements are looked at with all that is known of the states, cut into parts (`parts`), and each part looked at by itself:
 //! - of one region: for each state that it may have, what is done in it (`engine`);
-//! - of regions that depend on each other: where one of them has states beside which no other step is active, those first; else where a
-//!   condition looks at several regions, it is asked first, and the rest done by what it says.
+//! - of regions that depend on each other: where one of them has states beside which no other step is active, those first; else where one
+//!   condition looks at several regions, it is asked first, and the rest done by what it says; where several do, or none, each transition in one
+//!   place (`clearing`), if that is shorter.
 //!
 //! Needs: several regions; no loop. What is not understood stays as it is.
 
+mod clearing;
 mod joint;
 mod single;
 
@@ -36,6 +38,7 @@ use super::live::{Live, Places};
 use super::parts::{Part, parts, spread};
 use super::share;
 use super::sparse::{Index, States};
+use super::starting;
 use super::uses::{Effects, each_asked, each_written, is_read_in, mentions, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
@@ -53,9 +56,10 @@ pub(super) fn pass(program: &mut Program<'_>) {
     match Several::of(program).and_then(|several| several.cycle(&list)) {
         // What has not been looked into may ask for the first cycle, which has no place of its own any more.
         Some((start, cycle)) if !asks_first(program, &cycle) => {
-            let head = &mut program.places[start.0];
-            if let Initial::Value(Value::Step(step)) = head.initial {
-                head.initial = Initial::Value(Value::Start(step));
+            if let (Some(first), Some(Value::Step(step))) =
+                (program.place(Role::First), initial(&program.places[start.0]))
+            {
+                starting::as_state(program, start, first, step);
             }
             program.cycle = cycle;
         }
@@ -85,6 +89,8 @@ pub(super) struct Several<'p, 'm> {
     beside: &'p [Set<StepId>],
     /// By region: its place, and its states.
     pub(super) states: Vec<PlaceId>,
+    /// By region: where its state before is kept.
+    was: Vec<Option<PlaceId>>,
     points: Vec<States>,
     first: PlaceId,
     /// By place: whether it is read after the statements that are looked at.
@@ -130,6 +136,7 @@ impl<'p, 'm> Several<'p, 'm> {
         Some(Self {
             places: &program.places,
             beside: &program.beside,
+            was: states.iter().map(|state| copy(&program.cycle, *state)).collect(),
             states,
             points,
             first,
@@ -334,6 +341,15 @@ impl Env {
         self.lists.push(states);
         Fact::Among(self.lists.len() - 1)
     }
+}
+
+/// Where the state of a region is kept before it changes.
+fn copy(statements: &[Statement<'_>], state: PlaceId) -> Option<PlaceId> {
+    statements.iter().find_map(|statement| match statement {
+        Statement::Set(was, Expr::Place(of)) => (*of == state).then_some(*was),
+        Statement::Part(_, body) | Statement::Loop { body, .. } => copy(body, state),
+        _ => None,
+    })
 }
 
 /// What comes after a part and concerns some of its regions alone is looked at with it.

@@ -1,0 +1,175 @@
+//! A part of regions that depend on each other, transition by transition: what clears one, and what it changes, stands in one place, by the state of
+//! one of its regions.
+//!
+//! ```text
+//! clears.(A,S)→B = was.state.A is A && was.state.S is S && x      match state.A
+//! clears.B→(A,F) = was.state.A is B && !x                           A:
+//! if clears.(A,S)→B: state.A = none                                   if state.S is S && x:
+//! if clears.(A,S)→B: state.S = none                                     state.A = B
+//! if clears.B→(A,F): state.A = none                         ->          state.S = none
+//! if clears.B→(A,F): state.A = A                                    B:
+//! if clears.(A,S)→B: state.A = B                                      if !x:
+//! if clears.B→(A,F): state.S = F                                        state.A = A
+//!                                                                       state.S = F
+//! ```
+//!
+//! A condition asks for the state before: of a copy, where a transition in front of it may have written what it asks for. What several write, the one
+//! writes last that did so before. Where somebody asks later on what has cleared, all is asked beforehand.
+
+mod order;
+mod sorted;
+
+use super::super::engine::Fact;
+use super::super::parts::Part;
+use super::super::uses::Effects;
+use super::{Env, Several};
+use crate::model::StepId;
+use crate::program::build::no;
+use crate::program::{Expr, PlaceId, Statement};
+use crate::sorted::Set;
+
+use order::{Groups, Writer};
+
+/// A transition.
+struct Clearing<'m> {
+    /// That it clears, and which statement says so.
+    truth: PlaceId,
+    at: usize,
+    /// All of these hold then.
+    asks: Vec<Expr<'m>>,
+    /// By region that is asked for: one of these steps is active.
+    tests: Vec<(usize, Vec<StepId>)>,
+    /// By region: which statement writes its state last, and what.
+    writes: Vec<(usize, usize, Option<StepId>)>,
+    /// Somebody asks for the truth behind it.
+    is_kept: bool,
+}
+
+/// A truth becomes true where a region moves.
+struct Moved {
+    truth: PlaceId,
+    region: usize,
+    /// It is false before.
+    begins: bool,
+}
+
+impl Clearing<'_> {
+    fn test(&self, region: usize) -> Option<&[StepId]> {
+        self.tests.iter().find(|(other, _)| *other == region).map(|(_, steps)| &steps[..])
+    }
+
+    fn write(&self, region: usize) -> Option<(usize, Option<StepId>)> {
+        self.writes.iter().find(|(other, ..)| *other == region).map(|(_, at, step)| (*at, *step))
+    }
+
+    /// Two that never clear together, as one of them needs a step that the other one cannot have beside its own.
+    fn excludes(&self, other: &Self) -> bool {
+        let apart = |region: usize, steps: &[StepId]| {
+            other.test(region).is_some_and(|others| !steps.iter().any(|step| others.contains(step)))
+        };
+        self.tests.iter().any(|(region, steps)| apart(*region, steps))
+    }
+
+    /// Whether another one that may clear with it says last what becomes of a region.
+    fn yields_to(&self, other: &Self) -> bool {
+        let mut written = self.writes.iter();
+        let is_overwritten = written.any(|(region, at, step)| {
+            other.write(*region).is_some_and(|(later, written)| written != *step && *at < later)
+        });
+        is_overwritten && !self.excludes(other)
+    }
+
+    /// Whether it is as true that a region is in one of these states, after it has cleared, as it was before.
+    fn keeps(&self, region: usize, steps: &[StepId]) -> bool {
+        let Some((_, written)) = self.write(region) else { return true };
+        let is_in = written.is_some_and(|step| steps.contains(&step));
+        self.test(region).is_some_and(|own| own.iter().all(|step| steps.contains(step) == is_in))
+    }
+
+    /// Whether a region has another state behind it, unless one clears, too, that leads back to the one before.
+    fn moves(&self, region: usize, all: &[Self], leads_back: impl Fn(usize) -> bool) -> bool {
+        let (Some(own), Some((_, written))) = (self.test(region), self.write(region)) else { return false };
+        let is_back = |other: &Self| match other.write(region) {
+            Some((_, Some(step))) => own.contains(&step) && !self.excludes(other),
+            _ => false,
+        };
+        let mut back = all.iter().enumerate().filter(|(_, other)| is_back(other));
+        written.is_none_or(|step| !own.contains(&step)) && back.all(|(at, _)| leads_back(at))
+    }
+}
+
+impl<'m> Several<'_, 'm> {
+    /// The part transition by transition, if it is understood.
+    pub(super) fn by_clearing(&self, part: &Part<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
+        let sorted = self.sorted(&part.statements, env)?;
+        let groups = Groups { several: self, clearings: &sorted.clearings };
+        let free = self.free(&part.statements, env);
+        let mut writer = Writer { groups, moves: &sorted.moves, free: &free, copies: Set::new(), done: Vec::new() };
+        let mut evolution = Vec::new();
+        for group in &groups.ordered()? {
+            evolution.extend(writer.group(group)?);
+        }
+        let mut all = Vec::new();
+        for region in &*writer.copies {
+            let (was, state) = (self.was[*region]?, self.states[*region]);
+            if !is_copied(&sorted.before, was, state) {
+                all.push(Statement::Set(was, Expr::Place(state)));
+            }
+        }
+        all.extend(sorted.before.iter().cloned());
+        for Moved { truth, .. } in sorted.moves.iter().filter(|moved| moved.begins) {
+            all.push(Statement::Set(*truth, no()));
+        }
+        let mut env = env.clone();
+        self.after(&all, &mut env);
+        all.extend(evolution);
+        for clearing in &sorted.clearings {
+            for (region, ..) in &clearing.writes {
+                let state = self.states[*region];
+                env.facts[state.0] = env.among(self.possible(*region));
+                for fact in &mut env.facts {
+                    if *fact == Fact::Copy(state) {
+                        *fact = Fact::Nothing;
+                    }
+                }
+            }
+        }
+        for Moved { truth, .. } in &sorted.moves {
+            env.facts[truth.0] = Fact::Nothing;
+        }
+        all.extend(self.spec(&sorted.after, &env));
+        Some(all)
+    }
+
+    /// The regions of which a copy may be made here: nobody needs another one, or it is the same.
+    fn free(&self, list: &[Statement<'m>], env: &Env) -> Set<usize> {
+        let asked = Effects::of_all(list).reads;
+        let mut free = Set::new();
+        for (region, (was, state)) in self.was.iter().zip(&self.states).enumerate() {
+            let Some(was) = *was else { continue };
+            let is_asked = asked.contains(&was) || env.later.contains(&was) || self.read_after.contains(was);
+            if !is_asked || env.facts[was.0] == Fact::Copy(*state) || is_copied(list, was, *state) {
+                free.insert(region);
+            }
+        }
+        free
+    }
+
+    /// The region whose state a place holds, or held before.
+    fn region_of(&self, place: PlaceId) -> Option<usize> {
+        let state = self.states.iter().position(|state| *state == place);
+        state.or_else(|| self.was.iter().position(|was| *was == Some(place)))
+    }
+}
+
+fn is_copied(list: &[Statement<'_>], was: PlaceId, state: PlaceId) -> bool {
+    list.iter().any(|one| matches!(one, Statement::Set(to, Expr::Place(of)) if *to == was && *of == state))
+}
+
+/// What all has to hold.
+fn parts<'e, 'm>(condition: &'e Expr<'m>) -> &'e [Expr<'m>] {
+    match condition {
+        Expr::All(parts) => parts,
+        one => std::slice::from_ref(one),
+    }
+}

@@ -1,0 +1,270 @@
+//! In which order transitions are looked at, and what stands for each.
+
+use std::cell::RefCell;
+
+use super::super::Several;
+use super::{Clearing, Moved, parts};
+use crate::model::StepId;
+use crate::program::build::{all, yes};
+use crate::program::passes::fold::excludes;
+use crate::program::passes::split::merged;
+use crate::program::passes::uses::replaced;
+use crate::program::{Expr, PlaceId, Statement, Value};
+use crate::sorted::Set;
+
+/// Transitions that ask for the same region, or one that asks for none.
+pub(super) struct Group {
+    region: Option<usize>,
+    members: Vec<usize>,
+}
+
+/// The transitions of a part, by the regions they ask for.
+#[derive(Clone, Copy)]
+pub(super) struct Groups<'c, 's, 'p, 'm> {
+    pub(super) several: &'s Several<'p, 'm>,
+    pub(super) clearings: &'c [Clearing<'m>],
+}
+
+impl Groups<'_, '_, '_, '_> {
+    /// In an order in which each state is written last by whom it was, and few conditions ask for the state before.
+    pub(super) fn ordered(self) -> Option<Vec<Group>> {
+        let mut left = self.by_region();
+        let mut ordered = Vec::with_capacity(left.len());
+        while !left.is_empty() {
+            let is_free = |at: &usize| {
+                let others = || left.iter().enumerate().filter(|(other, _)| other != at);
+                !others().any(|(_, other)| self.is_before(&other.members, &left[*at].members))
+            };
+            let disturbs = |at: &usize| {
+                let others = || left.iter().enumerate().filter(|(other, _)| other != at);
+                others().map(|(_, other)| self.disturbed(&left[*at].members, other)).sum::<usize>()
+            };
+            let next = (0..left.len()).filter(is_free).min_by_key(disturbs)?;
+            let mut group = left.remove(next);
+            group.members = self.sorted(&group.members)?;
+            ordered.push(group);
+        }
+        Some(ordered)
+    }
+
+    /// Each transition with those that ask for the same region, that of its own for which the most do.
+    fn by_region(self) -> Vec<Group> {
+        let mut count = vec![0_usize; self.several.states.len()];
+        for (region, _) in self.clearings.iter().flat_map(|clearing| &clearing.tests) {
+            count[*region] += 1;
+        }
+        let mut groups: Vec<Group> = Vec::new();
+        for (at, clearing) in self.clearings.iter().enumerate() {
+            let mut region = None;
+            for (other, _) in &clearing.tests {
+                if region.is_none_or(|best: usize| count[*other] > count[best]) {
+                    region = Some(*other);
+                }
+            }
+            match groups.iter_mut().find(|group| region.is_some() && group.region == region) {
+                Some(group) => group.members.push(at),
+                None => groups.push(Group { region, members: vec![at] }),
+            }
+        }
+        groups
+    }
+
+    /// Members of one group in an order that is possible.
+    fn sorted(self, members: &[usize]) -> Option<Vec<usize>> {
+        let mut left = members.to_vec();
+        let mut sorted = Vec::with_capacity(left.len());
+        while !left.is_empty() {
+            let is_free = |at: &usize| !left.iter().any(|other| other != at && self.is_before(&[*other], &[*at]));
+            let next = left.iter().position(is_free)?;
+            sorted.push(left.remove(next));
+        }
+        Some(sorted)
+    }
+
+    /// Whether one of the first has to stand in front of one of the second.
+    fn is_before(self, first: &[usize], second: &[usize]) -> bool {
+        let is_in_front =
+            |one: usize| second.iter().any(|other| self.clearings[one].yields_to(&self.clearings[*other]));
+        first.iter().any(|one| is_in_front(*one))
+    }
+
+    /// How often a group asks for what these may have written.
+    fn disturbed(self, these: &[usize], group: &Group) -> usize {
+        let mut count = 0;
+        for one in these {
+            for other in &group.members {
+                let tests = self.clearings[*other].tests.iter();
+                count += tests.filter(|(region, steps)| !self.clearings[*one].keeps(*region, steps)).count();
+            }
+        }
+        count
+    }
+}
+
+/// Writes one group after the other.
+pub(super) struct Writer<'c, 's, 'p, 'm> {
+    pub(super) groups: Groups<'c, 's, 'p, 'm>,
+    pub(super) moves: &'c [Moved],
+    /// The regions of which a copy may be made of the state before, and those of which one is wanted.
+    pub(super) free: &'c Set<usize>,
+    pub(super) copies: Set<usize>,
+    /// The transitions that have been written.
+    pub(super) done: Vec<usize>,
+}
+
+impl<'m> Writer<'_, '_, '_, 'm> {
+    pub(super) fn group(&mut self, group: &Group) -> Option<Vec<Statement<'m>>> {
+        let Some(region) = group.region else {
+            let statements = self.those(&group.members, None);
+            self.done.extend(&group.members);
+            return statements;
+        };
+        let several = self.groups.several;
+        let mut arms = Vec::new();
+        let mut asked = Vec::new();
+        for step in several.possible(region) {
+            let Some(known) = step else { continue };
+            let has = |at: &usize| self.groups.clearings[*at].test(region).is_some_and(|steps| steps.contains(&known));
+            let members: Vec<usize> = group.members.iter().copied().filter(has).collect();
+            if !members.is_empty() {
+                asked.push(known);
+                arms.push((vec![Value::Step(step)], self.those(&members, Some((region, known)))?));
+            }
+        }
+        let place = self.dispatch(region, &group.members, &asked)?;
+        self.done.extend(&group.members);
+        let ([(_, body)], [step]) = (&mut arms[..], &asked[..]) else {
+            return Some(vec![Statement::Match(place, merged(arms), Vec::new())]);
+        };
+        let (is_there, mut body) = (Expr::Is(place, vec![*step]), std::mem::take(body));
+        Some(vec![match body.pop() {
+            Some(Statement::If(condition, then, otherwise)) if body.is_empty() && otherwise.is_empty() => {
+                Statement::If(all(vec![is_there, condition]), then, otherwise)
+            }
+            last => {
+                body.extend(last);
+                Statement::If(is_there, body, Vec::new())
+            }
+        }])
+    }
+
+    /// Some transitions of one group, where a region is in a state: one after the other.
+    fn those(&mut self, members: &[usize], known: Option<(usize, StepId)>) -> Option<Vec<Statement<'m>>> {
+        let mut statements = Vec::new();
+        let before = self.done.len();
+        for at in members {
+            let clearing = &self.groups.clearings[*at];
+            if clearing.is_kept {
+                statements.push(Statement::If(Expr::Place(clearing.truth), self.body(clearing), Vec::new()));
+                self.done.push(*at);
+                continue;
+            }
+            let is_known = |part: &Expr<'m>| match (part, known) {
+                (Expr::Is(place, steps), Some((region, step))) => {
+                    self.groups.several.region_of(*place) == Some(region) && steps.contains(&step)
+                }
+                _ => false,
+            };
+            let asks: Vec<&Expr<'m>> = clearing.asks.iter().filter(|part| !is_known(part)).collect();
+            let mut parts = Vec::with_capacity(asks.len());
+            for part in asks {
+                parts.push(self.asked(part)?);
+            }
+            let body = self.body(clearing);
+            match all(parts) {
+                Expr::Value(Value::Bool(true)) => statements.extend(body),
+                Expr::Value(_) => {}
+                condition => either(&mut statements, condition, body),
+            }
+            self.done.push(*at);
+        }
+        self.done.truncate(before);
+        Some(statements)
+    }
+
+    /// What a transition does that clears.
+    fn body(&self, clearing: &Clearing<'m>) -> Vec<Statement<'m>> {
+        let (mut body, mut told) = (Vec::new(), Set::new());
+        for Moved { truth, .. } in self.moves {
+            if told.insert(*truth) {
+                body.push(Statement::Set(*truth, yes()));
+            }
+        }
+        for (region, _, step) in &clearing.writes {
+            let stays = clearing.test(*region).is_some_and(|own| step.is_some_and(|step| own == [step]));
+            let leaves = |other: &Clearing<'_>| other.write(*region).is_some_and(|(_, to)| to != *step);
+            if stays && !self.groups.clearings.iter().any(|other| leaves(other) && !other.excludes(clearing)) {
+                continue;
+            }
+            body.push(Statement::Set(self.groups.several.states[*region], Expr::Value(Value::Step(*step))));
+        }
+        body
+    }
+
+    /// The place by which a group knows in which of these states its region was.
+    fn dispatch(&mut self, region: usize, members: &[usize], steps: &[StepId]) -> Option<PlaceId> {
+        let several = self.groups.several;
+        let mut place = several.states[region];
+        for part in members.iter().flat_map(|at| &self.groups.clearings[*at].asks) {
+            match part {
+                Expr::Is(asked, _) if several.was[region] == Some(*asked) => place = *asked,
+                _ => {}
+            }
+        }
+        let is_kept = place != several.states[region] || steps.iter().all(|step| self.is_kept(region, &[*step]));
+        if is_kept { Some(place) } else { self.copy(region) }
+    }
+
+    /// A condition as it was before anything has cleared.
+    fn asked(&mut self, part: &Expr<'m>) -> Option<Expr<'m>> {
+        let several = self.groups.several;
+        let disturbed = RefCell::new(Set::new());
+        let before = |place: &PlaceId, is_kept: &dyn Fn(usize) -> bool| {
+            let region = several.states.iter().position(|state| state == place)?;
+            if is_kept(region) {
+                return None;
+            }
+            disturbed.borrow_mut().insert(region);
+            several.was[region]
+        };
+        let is_unwritten =
+            |region: usize| self.done.iter().all(|at| self.groups.clearings[*at].write(region).is_none());
+        let leaf = |expr: &Expr<'m>| match expr {
+            Expr::Is(place, steps) => {
+                Some(Expr::Is(before(place, &|region| self.is_kept(region, steps))?, steps.clone()))
+            }
+            Expr::Place(place) => Some(Expr::Place(before(place, &is_unwritten)?)),
+            _ => None,
+        };
+        let asked = replaced(part, &leaf);
+        for region in &*disturbed.into_inner() {
+            self.copy(*region)?;
+        }
+        Some(asked)
+    }
+
+    /// Whether it is still as true as before that a region is in one of these states.
+    fn is_kept(&self, region: usize, steps: &[StepId]) -> bool {
+        self.done.iter().all(|at| self.groups.clearings[*at].keeps(region, steps))
+    }
+
+    fn copy(&mut self, region: usize) -> Option<PlaceId> {
+        self.copies.insert(region);
+        self.groups.several.was[region].filter(|_| self.free.contains(&region))
+    }
+}
+
+/// One more condition: where those before it say the opposite, it is asked if they do not hold.
+fn either<'m>(statements: &mut Vec<Statement<'m>>, condition: Expr<'m>, body: Vec<Statement<'m>>) {
+    match statements.last_mut() {
+        Some(Statement::If(first, _, otherwise)) if apart(first, &condition) => either(otherwise, condition, body),
+        _ => statements.push(Statement::If(condition, body, Vec::new())),
+    }
+}
+
+/// Whether two conditions never hold together, by what each of them lists.
+fn apart(a: &Expr<'_>, b: &Expr<'_>) -> bool {
+    let (of_a, of_b) = (parts(a), parts(b));
+    let is_denied = |other: &Expr<'_>| excludes(a, other) || of_a.iter().any(|one| excludes(one, other));
+    of_b.iter().any(is_denied) || of_a.iter().any(|one| excludes(one, b))
+}

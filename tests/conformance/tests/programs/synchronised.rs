@@ -1,0 +1,85 @@
+//! Charts whose branches many transitions synchronise: a program has each transition in one place.
+
+use grafcet_compiler::program::Encoding;
+use grafcet_compiler::program::passes::Pass;
+use grafcet_conformance::program::program as optimised;
+
+use super::passes::{drawn, each_left_out};
+use super::read;
+
+/// Places between stations are branches of their own, which are full or empty.
+const STATIONS: &str = "sfc Stations { input a, b, c, d: bool; output p, q, r: bool; initial step Start; \
+     step Wait; step Saw { p; } step Empty; step Full; step Idle; step Bend { q; } step Free; step Taken { r; } \
+     Start -[true]-> (Wait, Empty, Idle, Free); Wait -[a]-> Saw; (Saw, Empty) -[b]-> (Wait, Full); \
+     (Idle, Full) -[true]-> (Bend, Empty); (Bend, Free) -[c]-> (Idle, Taken); Taken -[d]-> Free; }";
+
+/// Two want one crane; what each of them gives back the other one may take.
+const CRANE: &str = "grafcet Crane { input a, b, c, d: bool; output p, q: bool; initial step Free; initial step Idle1; initial step Idle2; \
+     step Carry1 { p; } step Carry2 { q; } (Free, Idle1) -[a]-> Carry1; Carry1 -[c && !a]-> (Free, Idle1); \
+     (Free, Idle2) -[b && !(Idle1.X && a)]-> Carry2; Carry2 -[d && !b]-> (Free, Idle2); }";
+
+fn text(chart: &str) -> String {
+    optimised(&read(chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string()
+}
+
+fn is_the_same(chart: &str) {
+    let inputs = [("a", false), ("b", false), ("c", false), ("d", false)];
+    each_left_out(&read(chart), &drawn(&inputs, 300), 100);
+}
+
+/// A transition is asked for by the state of one of its regions, and says what it changes in all of them; of a region that one in front of it
+/// may have written it asks for a copy.
+#[test]
+fn a_transition_stands_in_one_place() {
+    let stations = text(STATIONS);
+    for part in [
+        "\n        Saw:\n          if state.Empty is Empty && b:\n            state.Start = Wait\n            state.Empty = Full\n",
+        "\n        Idle:\n          if was.state.Empty is Full:\n            state.Empty = Empty\n            state.Idle = Bend\n",
+    ] {
+        assert!(stations.contains(part), "{part}\n{stations}");
+    }
+    assert!(!stations.contains("clears."), "{stations}");
+    is_the_same(STATIONS);
+    is_the_same(&STATIONS.replacen("sfc", "grafcet", 1).replacen("Start -[true]", "Start -[rising(a)]", 1));
+}
+
+/// Transitions that exclude each other are asked one after the other, and each of them tells that the search goes on.
+#[test]
+fn transitions_tell_that_something_moves() {
+    let crane = text(CRANE);
+    assert!(!crane.contains("moves.16 ||") && !crane.contains("was.state.Free"), "{crane}");
+    is_the_same(CRANE);
+    // Where both clear, the crane has the state that it had: whoever gives it back has moved himself.
+    is_the_same(&CRANE.replacen("Carry1 -[c && !a]", "Carry1 -[true]", 1));
+}
+
+/// A step that one transition leaves and another one enters at once stays active (A4).
+#[test]
+fn a_step_is_left_and_entered_at_once() {
+    let chart = "grafcet Twice { input a, b, c, d: bool; output p, q, r: bool; initial step A { p; } step B { q; } step C; step D { r; } step E; \
+         A -[a]-> (B, C, D); (B, C) -[!a]-> A; B -[b]-> B; (C, D) -[c && d]-> (C, E); (E, B) -[!d]-> (B, D); }";
+    is_the_same(chart);
+}
+
+/// Who asks later on for what has cleared has all asked beforehand: for actions on activation, times, and what the next cycle would do.
+#[test]
+fn what_has_cleared_is_kept_for_others() {
+    let timed = STATIONS.replacen("output p", "output n: u8; output p", 1).replacen(
+        "Bend { q; }",
+        "Bend { q; P1 n = n % 50 + 1; D 3ms r; }",
+        1,
+    );
+    let timed = timed.replacen("Taken { r; }", "Taken;", 1).replacen("-[d]->", "-[d && 5ms/Taken]->", 1);
+    is_the_same(&timed);
+    is_the_same(&timed.replacen("sfc", "grafcet", 1).replacen("Start -[true]", "Start -[rising(a)]", 1));
+}
+
+/// What another part has made of a state in front is not what was there when the round began.
+#[test]
+fn a_state_from_before_the_round_is_not_made_anew() {
+    let chart = "grafcet Line { input a, b, c, d: bool; output p, q, r: bool; \
+         partial Robot { initial step Home { p; } step There; Home -[a && Box::Open.X]-> There -[b]-> Home; } \
+         partial Box { initial step Open; step Shut { q; } step Side1; step Side2 { r; } step Done; \
+           Open -[Robot::Home.X && c]-> (Shut, Side1); Side1 -[d]-> Side2; (Shut, Side2) -[Robot::There.X]-> Done; Done -[!c]-> Open; } }";
+    is_the_same(chart);
+}
