@@ -22,6 +22,7 @@ const SHAPES: &[(&str, Form, Search)] = &[
     ("program_ends", Form::Program, Search::None),
     ("program_circle", Form::Program, Search::None),
     ("program_bounded", Form::Program, Search::None),
+    ("program_counter", Form::Program, Search::None),
     ("program_turns", Form::Program, Search::None),
     ("program_kinds", Form::Program, Search::None),
     ("program_branches", Form::Program, Search::None),

@@ -13,7 +13,7 @@ const FEW_FIELDS: usize = 3;
 /// How an evolution finds the next situation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// The cycle is printed from a program (`program/`): one region, each transition from one step to one; or parallel branches and partial grafcets
+    /// The cycle is printed from a program (`program/`): one region; or parallel branches and partial grafcets
     /// of which the program is not much longer than the chart, or no longer than without looking anything up by state.
     Program,
     /// `encoding flags;`: a bit for each step, looked at byte by byte.
@@ -112,7 +112,7 @@ impl Shape {
     /// The shape that suits a chart of which all else is planned.
     pub(super) fn of(model: &Model, plan: &Known<'_>) -> Self {
         let only_situation = changes_only_situation(model, plan);
-        let form = form(model, plan, only_situation);
+        let form = form(plan, only_situation);
         let in_place = form == Form::InPlace;
         let descends = model.partials.len() > 1 && in_place && plan.descent != Descent::Compares;
         let at_once = if in_place && (model.partials.len() == 1 || descends) {
@@ -208,26 +208,15 @@ fn changes_only_situation(model: &Model, plan: &Known<'_>) -> bool {
         && !model.transitions.values().any(|transition| transition.clearing.iter().any(calls))
 }
 
-fn form(model: &Model, plan: &Known<'_>, only_situation: bool) -> Form {
+fn form(plan: &Known<'_>, only_situation: bool) -> Form {
     if plan.regions.are_flags() {
         return Form::Flags;
     }
-    if is_sequence(model, plan, only_situation) || plan.is_lean {
+    if plan.regions.is_single() || plan.is_lean {
         return Form::Program;
     }
     // Where a search may have no end, the last evolution is tried on a copy of the chart, or taken back (A30); what else an
     // evolution reads and writes would have to be copied too.
     let copies = only_situation && plan.memory.edges.is_empty() && plan.memory.combinational.is_empty();
     if plan.groups && (!plan.may_be_unstable || copies) { Form::InPlace } else { Form::Compared }
-}
-
-/// One region, each transition from one step to one, and in a `grafcet` no change but that of the situation.
-fn is_sequence(model: &Model, plan: &Known<'_>, only_situation: bool) -> bool {
-    let moves = || model.transitions.values().any(|t| t.sources != t.targets);
-    let search = || only_situation && moves() && plan.evolution.exclusive.iter().all(|exclusive| *exclusive);
-    plan.regions.is_single()
-        && model.partials.len() == 1
-        && (!model.is_grafcet() || search())
-        && plan.evolution.entered_last.is_empty()
-        && model.transitions.values().all(|t| t.sources.len() == 1 && t.targets.len() == 1)
 }

@@ -1,86 +1,133 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
-impl Counter {
+impl Float {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
         &mut self,
         #[cfg(not(doc))]
-        inputs_: &CounterInputs,
+        inputs_: &FloatInputs,
         #[cfg(doc)]
-        inputs: &CounterInputs,
-    ) -> CounterOutputs {
-        let mut outputs_ = CounterOutputs { many: false };
-        self.situation = self.situation.unmarked();
-        if self.situation.state() == __CounterState::INIT {
-            self.situation = __CounterStateMark::of(__CounterState::Always);
-        }
-        let mut evolutions_left_: u32 = 4;
-        let mut rising_now_0_ = false;
-        let mut rising_now_1_ = false;
+        inputs: &FloatInputs,
+    ) -> FloatOutputs {
+        let mut outputs_ = FloatOutputs {
+            fill: false,
+            drain: false,
+        };
+        self.region_0 = self.region_0.unmarked();
+        let mut evolutions_left_: u32 = 8;
         loop {
             let inputs_ = core::hint::black_box(inputs_);
-            let before_ = self.situation.state();
-            let mut after_ = before_;
-            let edge_before_0_ = self.edge_0;
-            let edge_before_1_ = self.edge_1;
-            let value_: bool = inputs_.pulse;
-            rising_now_0_ = value_ && !self.edge_0;
-            self.edge_0 = value_;
-            let value_: bool = inputs_.clear;
-            rising_now_1_ = value_ && !self.edge_1;
-            self.edge_1 = value_;
-            let mut next_count_ = self.var_count;
-            match before_ {
-                __CounterState::Always => {
+            let before_0_ = self.region_0.state();
+            let before_1_ = self.region_1;
+            let before_2_ = self.region_2;
+            let mut after_0_ = before_0_;
+            let mut after_1_ = before_1_;
+            let mut after_2_ = before_2_;
+            let mut enter_0_ = false;
+            let mut enter_1_ = false;
+            let mut enter_2_ = false;
+            match before_0_ {
+                __FloatRegion0::Rest => {
                     if {
-                        let rising_0_ = rising_now_0_;
-                        let rising_1_ = rising_now_1_;
-                        rising_0_ && !rising_1_
+                        let on = inputs_.on;
+                        let level = inputs_.level;
+                        let low = self.params.low;
+                        on && level < low
                     } {
-                        next_count_ = {
-                            let count = self.var_count;
-                            (count + 1) % 1000
-                        };
+                        if after_0_ == __FloatRegion0::Rest {
+                            after_0_ = __FloatRegion0::NONE;
+                        }
+                        enter_1_ = true;
                     }
                     if {
-                        let rising_1_ = rising_now_1_;
-                        rising_1_
+                        let on = inputs_.on;
+                        let level = inputs_.level;
+                        let high = self.params.high;
+                        on && level > high
                     } {
-                        next_count_ = 0;
+                        if after_0_ == __FloatRegion0::Rest {
+                            after_0_ = __FloatRegion0::NONE;
+                        }
+                        enter_2_ = true;
                     }
                 }
                 _ => {}
             }
-            if after_ == before_ && next_count_ == self.var_count {
+            match before_1_ {
+                __FloatRegion1::Fill => {
+                    if {
+                        #[allow(unused_variables)]
+                        let level = inputs_.level;
+                        #[allow(unused_variables)]
+                        let low = self.params.low;
+                        #[allow(unused_variables)]
+                        let on = inputs_.on;
+                        level >= low + 2.0 || !on
+                    } {
+                        after_1_ = __FloatRegion1::NONE;
+                        enter_0_ = true;
+                    }
+                }
+                _ => {}
+            }
+            match before_2_ {
+                __FloatRegion2::Drain => {
+                    if {
+                        #[allow(unused_variables)]
+                        let level = inputs_.level;
+                        #[allow(unused_variables)]
+                        let high = self.params.high;
+                        #[allow(unused_variables)]
+                        let on = inputs_.on;
+                        level <= high - 2.0 || !on
+                    } {
+                        after_2_ = __FloatRegion2::NONE;
+                        enter_0_ = true;
+                    }
+                }
+                _ => {}
+            }
+            if enter_0_ {
+                after_0_ = __FloatRegion0::Rest;
+            }
+            if enter_1_ {
+                after_1_ = __FloatRegion1::Fill;
+            }
+            if enter_2_ {
+                after_2_ = __FloatRegion2::Drain;
+            }
+            if after_0_ == before_0_ && after_1_ == before_1_ && after_2_ == before_2_ {
                 break;
             }
             if evolutions_left_ == 0 {
-                self.edge_0 = edge_before_0_;
-                self.edge_1 = edge_before_1_;
-                self.situation = self.situation.marked();
+                self.region_0 = self.region_0.marked();
                 break;
             }
             evolutions_left_ -= 1;
-            self.var_count = next_count_;
-            self.situation = __CounterStateMark::of(after_);
+            self.region_0 = __FloatRegion0Mark::of(after_0_);
+            self.region_1 = after_1_;
+            self.region_2 = after_2_;
         }
-        let after_ = self.situation.state();
-        match after_ {
-            __CounterState::Always => {
-                if {
-                    let count = self.var_count;
-                    count > 100
-                } {
-                    outputs_.many = true;
-                }
+        let after_0_ = self.region_0.state();
+        let after_1_ = self.region_1;
+        let after_2_ = self.region_2;
+        match after_1_ {
+            __FloatRegion1::Fill => {
+                outputs_.fill = true;
+            }
+            _ => {}
+        }
+        match after_2_ {
+            __FloatRegion2::Drain => {
+                outputs_.drain = true;
             }
             _ => {}
         }
         outputs_
     }
 }
-impl Counter {
+impl Float {
     /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
     /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.
     ///
@@ -92,99 +139,81 @@ impl Counter {
     fn force(
         &mut self,
         #[cfg(not(doc))]
-        steps_: &[CounterStep],
+        steps_: &[FloatStep],
         #[cfg(doc)]
-        steps: &[CounterStep],
+        steps: &[FloatStep],
         #[cfg(not(doc))]
-        inputs_: &CounterInputs,
+        inputs_: &FloatInputs,
         #[cfg(doc)]
-        inputs: &CounterInputs,
+        inputs: &FloatInputs,
     ) -> Result<
-        CounterOutputs,
-        ForceError<CounterStep>,
+        FloatOutputs,
+        ForceError<FloatStep>,
     > {
-        Possible::Alone
+        Possible::Listed(b"\x01\x03\x07\x05\x02\x06\x04")
             .look(<Self as Chart>::STEPS, steps_)?;
-        let mut forced0_: Option<__CounterState> = Option::None;
+        let mut forced0_: Option<__FloatRegion0> = Option::None;
+        let mut forced1_: Option<__FloatRegion1> = Option::None;
+        let mut forced2_: Option<__FloatRegion2> = Option::None;
         for step_ in steps_ {
             match *step_ {
-                CounterStep::Always => {
-                    forced0_ = Option::Some(__CounterState::Always);
+                FloatStep::Rest => {
+                    forced0_ = Option::Some(__FloatRegion0::Rest);
+                }
+                FloatStep::Fill => {
+                    forced1_ = Option::Some(__FloatRegion1::Fill);
+                }
+                FloatStep::Drain => {
+                    forced2_ = Option::Some(__FloatRegion2::Drain);
                 }
             }
         }
         let forced0_ = match forced0_ {
             Option::Some(state_) => state_,
-            Option::None => {
-                return Result::Err(
-                    ForceError::NoSituation,
-                );
-            }
+            Option::None => __FloatRegion0::NONE,
+        };
+        let forced1_ = match forced1_ {
+            Option::Some(state_) => state_,
+            Option::None => __FloatRegion1::NONE,
+        };
+        let forced2_ = match forced2_ {
+            Option::Some(state_) => state_,
+            Option::None => __FloatRegion2::NONE,
         };
         Result::Ok({
-            let mut outputs_ = CounterOutputs { many: false };
-            self.situation = self.situation.unmarked();
-            if self.situation.state() == __CounterState::INIT {
-                self.situation = __CounterStateMark::of(__CounterState::Always);
-            }
-            let mut rising_now_0_ = false;
-            let mut rising_now_1_ = false;
+            let mut outputs_ = FloatOutputs {
+                fill: false,
+                drain: false,
+            };
+            self.region_0 = self.region_0.unmarked();
             {
-                let before_ = self.situation.state();
-                let after_ = forced0_;
-                let value_: bool = inputs_.pulse;
-                rising_now_0_ = value_ && !self.edge_0;
-                self.edge_0 = value_;
-                let value_: bool = inputs_.clear;
-                rising_now_1_ = value_ && !self.edge_1;
-                self.edge_1 = value_;
-                let mut next_count_ = self.var_count;
-                match before_ {
-                    __CounterState::Always => {
-                        if {
-                            let rising_0_ = rising_now_0_;
-                            let rising_1_ = rising_now_1_;
-                            rising_0_ && !rising_1_
-                        } {
-                            next_count_ = {
-                                let count = self.var_count;
-                                (count + 1) % 1000
-                            };
-                        }
-                        if {
-                            let rising_1_ = rising_now_1_;
-                            rising_1_
-                        } {
-                            next_count_ = 0;
-                        }
-                    }
-                    _ => {}
+                let before_0_ = self.region_0.state();
+                let before_1_ = self.region_1;
+                let before_2_ = self.region_2;
+                let after_0_ = forced0_;
+                let after_1_ = forced1_;
+                let after_2_ = forced2_;
+                self.region_0 = __FloatRegion0Mark::of(after_0_);
+                self.region_1 = after_1_;
+                self.region_2 = after_2_;
+            }
+            {
+                let before_0_ = self.region_0.state();
+                let before_1_ = self.region_1;
+                let before_2_ = self.region_2;
+            }
+            let after_0_ = self.region_0.state();
+            let after_1_ = self.region_1;
+            let after_2_ = self.region_2;
+            match after_1_ {
+                __FloatRegion1::Fill => {
+                    outputs_.fill = true;
                 }
-                self.var_count = next_count_;
-                self.situation = __CounterStateMark::of(after_);
+                _ => {}
             }
-            let edge_before_0_ = self.edge_0;
-            let edge_before_1_ = self.edge_1;
-            {
-                let before_ = self.situation.state();
-                let value_: bool = inputs_.pulse;
-                rising_now_0_ = value_ && !self.edge_0;
-                self.edge_0 = value_;
-                let value_: bool = inputs_.clear;
-                rising_now_1_ = value_ && !self.edge_1;
-                self.edge_1 = value_;
-            }
-            self.edge_0 = edge_before_0_;
-            self.edge_1 = edge_before_1_;
-            let after_ = self.situation.state();
-            match after_ {
-                __CounterState::Always => {
-                    if {
-                        let count = self.var_count;
-                        count > 100
-                    } {
-                        outputs_.many = true;
-                    }
+            match after_2_ {
+                __FloatRegion2::Drain => {
+                    outputs_.drain = true;
                 }
                 _ => {}
             }

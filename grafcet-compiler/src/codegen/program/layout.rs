@@ -78,6 +78,10 @@ impl Layout {
             let kind = match place.role {
                 Role::State(0) if is_marked => Kind::Marked,
                 Role::Stable if is_marked => Kind::Mark,
+                // It follows from the situation.
+                Role::Var(id) if !cx.plan.memory.vars.contains(&id) && !used.places.contains(&PlaceId(index)) => {
+                    Kind::Unused
+                }
                 _ => kind(place, used.places.contains(&PlaceId(index))),
             };
             let name = match place.role {

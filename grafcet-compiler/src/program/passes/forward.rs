@@ -9,10 +9,10 @@
 //! A truth that nothing sets is what it begins with. Needs, for all others: it is read once after it, or costs nothing; nothing in between writes what it reads; it can be asked later as well. What is
 //! then not read any more falls to `dead`.
 
-use super::super::{Expr, PlaceId, Program, Statement, Type};
+use super::super::{Expr, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::is_seen;
 use super::fold::{Known, initial};
-use super::uses::{Effects, each_read, is_pure, replaced, rewrite};
+use super::uses::{Effects, blocks, each_read, is_pure, replaced, rewrite};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     initials(program);
@@ -20,21 +20,46 @@ pub(super) fn pass(program: &mut Program<'_>) {
     block(&closed, &mut program.cycle);
 }
 
-/// A truth of the cycle that nothing sets any more is what it begins with.
+/// A truth of the cycle that nothing sets any more is what it begins with, and so is the state of a region of one step that is always active.
 fn initials(program: &mut Program<'_>) {
-    let mut cycle = std::mem::take(&mut program.cycle);
-    let effects = Effects::of_all(&cycle);
-    let places = &program.places;
-    let value = |place: PlaceId| {
-        let info = &places[place.0];
+    let is_state = |info: &PlaceInfo<'_>| matches!(info.ty, Type::State(_));
+    let written = Effects::of_all(&program.cycle).writes;
+    rewritten(program, &|program, place| {
+        let info = &program.places[place.0];
         let is_local = !info.is_field && !is_seen(info) && matches!(info.ty, Type::Bool);
-        initial(info).filter(|_| is_local && !effects.writes.contains(&place))
-    };
-    if effects.reads.iter().any(|place| value(*place).is_some()) {
-        let known = Known { places, value: &value, copy: &|_| None, among: &|_| None, now: &|_| false };
-        rewrite(&mut cycle, &mut |expr| known.fold(expr));
+        let is_fixed = program.forced.is_none() && is_state(info) && matches!(info.role, Role::State(_));
+        initial(info).filter(|_| (is_local || is_fixed) && !written.contains(&place))
+    });
+    // What is nothing but a copy of it.
+    rewritten(program, &|program, place| {
+        let info = &program.places[place.0];
+        let value = initial(info).filter(|_| !info.is_field && is_state(info))?;
+        sets_only(&program.cycle, place, value).then_some(value)
+    });
+}
+
+/// Places replaced by the values that they hold throughout.
+fn rewritten<'m>(program: &mut Program<'m>, value: &dyn Fn(&Program<'m>, PlaceId) -> Option<Value>) {
+    let mut held = Vec::with_capacity(program.places.len());
+    for at in 0..program.places.len() {
+        held.push(value(program, PlaceId(at)));
     }
+    if held.iter().all(Option::is_none) {
+        return;
+    }
+    let mut cycle = std::mem::take(&mut program.cycle);
+    let value = |place: PlaceId| held[place.0];
+    let known = Known { places: &program.places, value: &value, copy: &|_| None, among: &|_| None, now: &|_| false };
+    rewrite(&mut cycle, &mut |expr| known.fold(expr));
     program.cycle = cycle;
+}
+
+/// Whether a place is set to this value wherever it is set.
+fn sets_only(statements: &[Statement<'_>], place: PlaceId, value: Value) -> bool {
+    statements.iter().all(|statement| match statement {
+        Statement::Set(to, set) if *to == place => matches!(set, Expr::Value(set) if *set == value),
+        other => blocks(other).into_iter().all(|block| sets_only(block, place, value)),
+    })
 }
 
 /// By place: a local, and all that reads it stands after a statement that has set it in the same cycle.

@@ -1,0 +1,49 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Counter {
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &CounterInputs,
+        #[cfg(doc)]
+        inputs: &CounterInputs,
+    ) -> CounterOutputs {
+        let mut outputs_ = CounterOutputs { many: false };
+        let edge0_now_: bool = inputs_.pulse;
+        if self.first {
+            self.edge0_before = edge0_now_;
+        }
+        let edge1_now_: bool = inputs_.clear;
+        if self.first {
+            self.edge1_before = edge1_now_;
+        }
+        loop {
+            let mut next_count_: core::primitive::u16 = self.count;
+            if !self.edge0_before && edge0_now_ && !(!self.edge1_before && edge1_now_) {
+                next_count_ = {
+                    let count = self.count;
+                    (count + 1) % 1000
+                };
+            }
+            if !self.edge1_before && edge1_now_ {
+                next_count_ = 0;
+            }
+            if self.count == next_count_ {
+                break;
+            }
+            self.count = next_count_;
+            self.edge0_before = edge0_now_;
+            self.edge1_before = edge1_now_;
+        }
+        outputs_.many = {
+            let count = self.count;
+            count > 100
+        };
+        self.edge0_before = edge0_now_;
+        self.edge1_before = edge1_now_;
+        self.first = false;
+        outputs_
+    }
+}
