@@ -98,7 +98,9 @@ fn begun<'m>(
 ) -> Vec<Statement<'m>> {
     let mut held: Vec<Option<Value>> = Vec::with_capacity(places.len());
     for (at, place) in places.iter().enumerate() {
-        held.push(initial(place).filter(|_| place.is_field && !before.writes.contains(&PlaceId(at))));
+        // A recipe may have been given before.
+        let is_own = place.is_field && !matches!(place.role, Role::Param(_));
+        held.push(initial(place).filter(|_| is_own && !before.writes.contains(&PlaceId(at))));
     }
     let (mut out, mut passed, mut at) = (Vec::new(), Effects::default(), 0);
     while at < body.len() && !passed.leaves {

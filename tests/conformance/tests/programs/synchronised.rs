@@ -80,6 +80,8 @@ fn a_state_from_before_the_round_is_not_made_anew() {
     let chart = "grafcet Line { input a, b, c, d: bool; output p, q, r: bool; \
          partial Robot { initial step Home { p; } step There; Home -[a && Box::Open.X]-> There -[b]-> Home; } \
          partial Box { initial step Open; step Shut { q; } step Side1; step Side2 { r; } step Done; \
-           Open -[Robot::Home.X && c]-> (Shut, Side1); Side1 -[d]-> Side2; (Shut, Side2) -[Robot::There.X]-> Done; Done -[!c]-> Open; } }";
-    is_the_same(chart);
+           Open -[Robot::Home.X && c]-> (Shut, Side1); Side1 -[d && Robot::Home.X]-> Side2; \
+           (Shut, Side1) -[Robot::There.X && c]-> Done; (Shut, Side2) -[Robot::There.X]-> Done; Done -[!c && Robot::Home.X]-> Open; } }";
+    let chart = chart.replacen("Side1 -[d &&", "Side1 -[d && !c &&", 1);
+    is_the_same(&chart);
 }
