@@ -20,7 +20,7 @@ pub(super) struct Machine<'m> {
     /// The field with the clock's reading in the last cycle.
     pub(super) clock: Option<Ident>,
     /// The fields with readings at which times began: they say how much has elapsed, as seen from that.
-    pub(super) began: Vec<Ident>,
+    pub(super) began: Vec<Began>,
     /// The declared types among theirs: whether the chart is `Copy` depends on them.
     pub(super) stored: Vec<&'m Ty>,
     pub(super) cycle: TokenStream,
@@ -60,6 +60,15 @@ pub(super) struct Deadline {
     pub(super) reading: TokenStream,
     /// The reading from which the times count; none where what has been found is a reading itself.
     pub(super) from: Option<TokenStream>,
+}
+
+/// A field with the reading at which a time began.
+pub(super) struct Began {
+    pub(super) name: Ident,
+    /// Whether anything is still to come of that time. Where nothing is, the field may hold whatever it was left with, or any time that is long enough.
+    pub(super) awaited: TokenStream,
+    /// The longest that it is compared with, in ticks.
+    pub(super) longest: u32,
 }
 
 impl<'m> Machine<'m> {

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned as _;
 
-use super::machine::{Field, Machine};
+use super::machine::{Began, Field, Machine};
 use super::state::{self, StateEnum};
 use super::{Cx, force, recipe, types, variants};
 use crate::analysis::Situations;
@@ -30,13 +30,18 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
         });
         quote!(#name { #fields } #in_range where { #foreign })
     });
-    let began = machine.began.iter().map(|name| quote!(#name)).tokens();
-    let is_reading = |field: &&Field| machine.clock.iter().and(&machine.began).any(|reading| *reading == field.name);
+    let began = machine.began.iter().map(|Began { name, .. }| quote!(#name)).tokens();
+    let awaited =
+        machine.began.iter().map(|Began { name, awaited, longest }| quote!(#name (#awaited) #longest)).tokens();
+    let readings = machine.clock.iter().and(machine.began.iter().map(|began| &began.name)).list();
+    let is_reading = |field: &&Field| readings.contains(&&field.name);
     let state = machine.fields.iter().filter(|field| !is_reading(field)).map(|Field { name, ty, .. }| {
         let how = listed.of_type(ty, p);
         quote!(#name: #ty #how,)
     });
     let (state, clock, enums) = (state.tokens(), &machine.clock, enums(cx, machine));
+    // What is awaited is asked of it.
+    let itself = (!machine.began.is_empty()).then(|| quote!(self #clock));
     let listed = listed.all();
     let layout = {
         let mut hash = Hash::new();
@@ -58,6 +63,7 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
             params { #params }
             state { #state }
             clock { #clock #began }
+            awaited { #itself #awaited }
             foreign { #foreign }
             possible { #possible }
             enums { #enums }

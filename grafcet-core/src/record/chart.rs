@@ -29,7 +29,8 @@ pub trait Recordable: Chart<Inputs: Record + Default> + Clone {
     /// Writes the recipe.
     fn write_params(&self, to: &mut Writer<'_>);
 
-    /// Writes the state. The reading of the clock is not part of it: all times are stored as they have elapsed.
+    /// Writes the state. The reading of the clock is not part of it: times are stored as they have elapsed, and one of which nothing is to come any more as the
+    /// longest that it is compared with.
     fn write_state(&self, to: &mut Writer<'_>);
 
     /// A chart in the state that was written, as if its last cycle had been at the time `now`; `None` where these bits are none.
@@ -39,7 +40,7 @@ pub trait Recordable: Chart<Inputs: Record + Default> + Clone {
     #[must_use]
     fn begun_anew(&self) -> Self;
 
-    /// Whether recipe and state are the same, the reading of the clock left aside.
+    /// Whether recipe and state are the same, the reading of the clock left aside, and what a time was left with of which nothing is to come any more.
     fn is_same_state(&self, other: &Self) -> bool;
 
     /// The reading of the clock in the last cycle; zero for a chart without time.
@@ -68,6 +69,7 @@ macro_rules! __recorded {
         params { $($params:ident { $($param:ident: $param_ty:ty $(as $param_how:ident)?,)* } $(in $out_of_range:ident)? where { $($needs:ty: $needed:tt,)* })? }
         state { $($field:ident: $field_ty:ty $(as $how:ident $($optional:ident)?)?,)* }
         clock { $($clock:ident $($began:ident)*)? }
+        awaited { $($this:ident $last:ident $($since:ident ($awaited:expr) $longest:literal)+)? }
         foreign { $($foreign:ty: $bound:tt,)* }
         possible { $possible:expr }
         enums { $($state:ident $($of:ident)? { $($variant:ident)* })* }
@@ -140,6 +142,14 @@ macro_rules! __recorded {
                 }
             })?
 
+            $(impl $chart {
+                /// What has elapsed of each time that began; the longest that it is compared with, where nothing of it is still to come. There the field
+                /// stands for whatever it was left with, which may be something else in a replay, as that leaves out cycles that do nothing.
+                fn __elapsed(&$this) -> [__r::Ticks; [$($longest),+].len()] {
+                    [$(if $awaited { $this.$last.since($this.$since) } else { __r::Ticks::new($longest) }),+]
+                }
+            })?
+
             $($crate::__recorded_states! { $state $($of)? { $($variant)* } })*
 
             impl __r::Recordable for $chart where $(for<'chart> $foreign: $bound,)* {
@@ -155,7 +165,7 @@ macro_rules! __recorded {
                 }
                 fn write_state(&self, _to_: &mut __r::Writer<'_>) {
                     $(<$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::write(&self.$field, _to_);)*
-                    $($(__r::Record::write(&self.$clock.since(self.$began), _to_);)*)?
+                    $(for elapsed_ in $crate::__recorded_clock!(elapsed self $last) { __r::Record::write(&elapsed_, _to_); })?
                 }
                 fn read(_params_: &mut __r::Reader<'_>, _state_: &mut __r::Reader<'_>, _now_: __r::Ticks) -> __r::Option<Self> {
                     __r::Option::Some(Self {
@@ -169,7 +179,7 @@ macro_rules! __recorded {
                 fn is_same_state(&self, _other_: &Self) -> __r::bool {
                     true $(&& <$params as __r::Record>::is_same(&self.params, &_other_.params))?
                         $(&& <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::is_same(&self.$field, &_other_.$field))*
-                        $($(&& self.$clock.since(self.$began) == _other_.$clock.since(_other_.$began))*)?
+                        $(&& $crate::__recorded_clock!(elapsed self $last) == $crate::__recorded_clock!(elapsed _other_ $last))?
                 }
                 fn reading(&self) -> __r::Ticks { $crate::__recorded_clock!(reading self $($clock)?) }
                 fn wakes_at(&self) -> __r::Option<__r::Ticks> { $crate::__recorded_clock!(deadline self $($clock)?) }
@@ -273,6 +283,9 @@ macro_rules! __recorded_clock {
     };
     (reading $chart:ident $clock:ident) => {
         $chart.$clock
+    };
+    (elapsed $chart:ident $clock:ident) => {
+        $chart.__elapsed()
     };
     (deadline $chart:ident) => {
         __r::Option::None

@@ -170,8 +170,12 @@ pub fn restored(bytes: &[u8]) {
             let stored = snapshot_of::<C>(bytes);
             let now = bytes.iter().fold(0_u32, |now, byte| now.rotate_left(5) ^ u32::from(*byte));
             let Ok(mut chart) = restore::<C>(&stored, now) else { return };
-            let mut again = vec![0; snapshot_len::<C>()];
-            assert_eq!(snapshot(&chart, &mut again), Some(&stored[..]));
+            // What a time was left with of which nothing is to come is not stored, so the first one may have held something else there.
+            let (mut first, mut second) = (vec![0; snapshot_len::<C>()], vec![0; snapshot_len::<C>()]);
+            let again =
+                snapshot(&chart, &mut first).and_then(|stored| restore::<C>(stored, now).ok()).expect("restored again");
+            assert!(again.is_same_state(&chart));
+            assert_eq!(snapshot(&again, &mut second), Some(&first[..]));
             let inputs = C::Inputs::default();
             for cycle in 0..4 {
                 _ = chart.wakes_at();

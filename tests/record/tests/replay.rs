@@ -2,8 +2,8 @@
 
 use std::fmt::Debug;
 
-use grafcet::record::{Damage, Recordable, Recorder, Records, ReplayError, replay};
-use grafcet::{Ticks, grafcet, recordable};
+use grafcet::record::{Damage, Recordable, Recorder, Records, ReplayError, Writer, replay};
+use grafcet::{Chart as _, Ticks, grafcet, recordable};
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::Cell;
 use grafcet_record::controller::{Called, Remote};
@@ -261,4 +261,55 @@ fn what_was_overwritten_is_counted() {
     assert!(blocks[0].missing > 10 && blocks[0].key.cycle > 1_000);
     assert!(blocks[1..].iter().all(|block| block.missing == 0 && !block.torn));
     assert!(Recorder::new(Motor::new(), [0; 90]).is_err_and(|small| small.needed <= 500));
+}
+
+grafcet! {
+    /// Two branches, and a step that waits on when its time is over.
+    pub grafcet Waiter {
+        input a, b: bool;
+        initial step Idle {}
+        step Left {}
+        step Right {}
+        step Rest {}
+        Idle -[a]-> (Left, Right);
+        (Left, Right) -[a]-> Rest;
+        Rest -[5ms/Rest && b]-> Idle;
+    }
+}
+
+#[test]
+fn a_time_that_nobody_awaits_may_stand_anywhere() {
+    let mut recorder = Recorder::new(Waiter::new(), vec![0; 4_000]).expect("enough memory");
+    // From 1009 on the step waits for `b`, which is only counted, and the reading goes on; the replay does not do these cycles.
+    let cycles = [(1000, true, false), (1008, false, false), (1009, false, false), (1012, false, false)];
+    for (now, a, b) in cycles.into_iter().chain([(1013, false, true), (1014, false, true)]) {
+        recorder.cycle(&WaiterInputs { a, b }, Ticks::new(now), &mut ());
+    }
+    recorder.flush();
+    let records = Records::of(recorder.record()).expect("a record");
+    let mut written = Vec::new();
+    let replayed = replay::<Waiter>(&records, &mut (), |moment| written = bytes(moment.chart));
+    assert_eq!(replayed, Ok(()));
+    // Of these the hash is made that a recorder sends.
+    assert_eq!(written, bytes(recorder.chart()));
+}
+
+fn bytes(chart: &Waiter) -> Vec<u8> {
+    let mut bytes = vec![0; Waiter::STATE_BITS.div_ceil(8)];
+    chart.write_state(&mut Writer::new(&mut bytes));
+    bytes
+}
+
+#[test]
+fn a_time_that_is_awaited_tells_states_apart() {
+    let after = |elapsed: u32| {
+        let mut chart = Waiter::new();
+        for now in [1000, 1000 + elapsed] {
+            chart.scan(&WaiterInputs { a: now == 1000, b: false }, Ticks::new(now), &mut ());
+        }
+        chart
+    };
+    assert!(after(3).is_same_state(&after(3)));
+    assert!(!after(3).is_same_state(&after(4)));
+    assert!(after(6).is_same_state(&after(9)), "the time is over");
 }

@@ -6,12 +6,32 @@ use quote::ToTokens;
 use super::Printer;
 use super::expr::kind_type;
 use super::layout::{Kind, Slot, bit, flags};
-use crate::codegen::machine::Field;
+use super::visit::{self, Seen};
+use crate::codegen::machine::{Began, Field};
 use crate::codegen::{names, rust, types};
 use crate::list::List;
 use crate::model::{StepId, Ty};
 use crate::place::quote;
-use crate::program::{Initial, PlaceId, PlaceInfo, Role, Type};
+use crate::program::{Deadline, Expr, Initial, PlaceId, PlaceInfo, Role, Type, Value, Wait};
+
+/// Whether an expression reads a place.
+fn mentions(expr: &Expr<'_>, place: PlaceId) -> bool {
+    let mut found = false;
+    visit::expr(expr, &mut |seen| found |= matches!(seen, Seen::Read(read) if read == place));
+    found
+}
+
+/// The longest time that an expression names, in ticks.
+fn longest_in(expr: &Expr<'_>) -> u32 {
+    let mut longest = 0;
+    let mut note = |seen| {
+        if let Seen::Value(Value::Ticks(ticks)) = seen {
+            longest = longest.max(ticks);
+        }
+    };
+    visit::expr(expr, &mut note);
+    longest
+}
 
 impl<'m> Printer<'_, 'm> {
     pub(super) fn info(&self, place: PlaceId) -> &PlaceInfo<'m> {
@@ -156,13 +176,30 @@ impl<'m> Printer<'_, 'm> {
     }
 
     /// The fields with readings at which times began.
-    pub(super) fn began(&self) -> Vec<Ident> {
-        let places = self.program.places.iter().zip(&self.layout.slots);
+    pub(super) fn began(&self) -> Vec<Began> {
+        let places = self.program.places.iter().zip(&self.layout.slots).enumerate();
         let began = |role| matches!(role, Role::Began(_) | Role::MacroBegan(_));
         places
-            .filter(|(place, slot)| began(place.role) && slot.kind == Kind::Field)
-            .map(|(_, slot)| slot.name.clone())
+            .filter(|(_, (place, slot))| began(place.role) && slot.kind == Kind::Field)
+            .map(|(index, (_, slot))| self.began_at(PlaceId(index), slot.name.clone()))
             .list()
+    }
+
+    fn began_at(&self, began: PlaceId, name: Ident) -> Began {
+        let (mut awaited, mut longest) = (Vec::new(), 0);
+        for Deadline { at_once, reading, waits, .. } in &self.program.deadline {
+            if mentions(reading, began) {
+                awaited.push(self.condition(at_once));
+            }
+            for Wait { condition, from, time } in waits {
+                if *from == began || mentions(condition, began) {
+                    awaited.push(self.condition(condition));
+                    longest = longest.max(longest_in(time));
+                }
+            }
+        }
+        let awaited = if awaited.is_empty() { quote!(false) } else { quote!(#((#awaited))||*) };
+        Began { name, awaited, longest }
     }
 
     /// The declared types in fields.
