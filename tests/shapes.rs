@@ -9,7 +9,7 @@ use std::fs;
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::plan::{Form, Plan, Search, Undo};
+use grafcet_compiler::plan::{Form, Plan, Search};
 use grafcet_compiler::{check, model, parse};
 use proc_macro2::TokenStream;
 
@@ -32,16 +32,16 @@ const SHAPES: &[(&str, Form, Search)] = &[
     ("program_forced_sfc", Form::Program, Search::None),
     ("program_forced_grafcet", Form::Program, Search::None),
     ("program_forced_branches", Form::Program, Search::None),
+    ("program_fork", Form::Program, Search::None),
     ("program_synchronised", Form::Program, Search::None),
     ("in_place_sfc", Form::InPlace, Search::None),
     ("flags_sfc", Form::Flags, Search::None),
     ("compared_sfc", Form::Compared, Search::None),
     ("in_place_ends", Form::InPlace, Search::Ends),
-    ("in_place_copy", Form::InPlace, Search::Bounded(Undo::Copy)),
     ("flags_ends", Form::Flags, Search::Ends),
-    ("flags_bounded", Form::Flags, Search::Bounded(Undo::Nothing)),
+    ("flags_bounded", Form::Flags, Search::Bounded),
     ("compared_ends", Form::Compared, Search::Ends),
-    ("compared_bounded", Form::Compared, Search::Bounded(Undo::Nothing)),
+    ("compared_bounded", Form::Compared, Search::Bounded),
 ];
 
 #[test]

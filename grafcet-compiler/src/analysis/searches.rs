@@ -15,8 +15,7 @@ pub struct Searches {
     pub ends: Ends,
     /// After so many evolutions that changed something a search is given up.
     pub bound: u32,
-    /// The situation after an evolution follows from the one before it, and nothing else makes a search go on. One that has made as
-    /// many evolutions as the bound says has come back to a situation, and goes on for ever; of a chart in which one step is active.
+    /// A search that has made as many evolutions as the bound says has come back to a situation, and goes on for ever.
     pub comes_back: bool,
 }
 
@@ -31,7 +30,7 @@ impl Searches {
         Self {
             // Who forces a chart can bring situations and values together that no exploration has seen.
             may_go_on: open && (model.forceable || !explore::settles(model, WORK)),
-            comes_back: Stability::is_memoryless(model) && bound as usize >= model.steps.len(),
+            comes_back: Stability::goes_on_after(model, concurrency, bound),
             ends: stability.ends(),
             bound,
         }

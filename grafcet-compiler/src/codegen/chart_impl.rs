@@ -101,7 +101,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
 fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, inputs, outputs) = (&model.vis, &names.inputs, &names.outputs);
-    let Machine { cycle: body, evolve, .. } = machine;
+    let Machine { cycle: body, .. } = machine;
     let time = cx.plan.memory.time;
     let given = names::parameter("inputs", &quote!(&#inputs));
     let now = time.then(|| names::parameter("now", &quote!(impl #p::core::convert::Into<#p::Ticks>)));
@@ -125,7 +125,6 @@ fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
             #body
         }
 
-        #evolve
     }
 }
 

@@ -9,7 +9,7 @@ use crate::analysis::combinational;
 use crate::list::List;
 use crate::model::{ActionId, Association, Effect, Place, VarId};
 use crate::place::quote;
-use crate::plan::{Search, Undo, source_order};
+use crate::plan::{Search, source_order};
 
 impl Cx<'_> {
     /// The body of `cycle`.
@@ -111,7 +111,7 @@ impl Cx<'_> {
     /// active step asks for.
     pub(super) fn opaque_inputs(&self) -> Option<TokenStream> {
         let p = &self.p;
-        let reads = !self.model.inputs.is_empty() && !self.plan.shape.evolves_apart();
+        let reads = !self.model.inputs.is_empty();
         reads.then(|| quote!(let inputs_ = #p::core::hint::black_box(inputs_);))
     }
 
@@ -137,27 +137,8 @@ impl Cx<'_> {
             return quote!(#declare #moved #evolve #collect if #unchanged { break; });
         }
         let afters = self.afters();
-        if self.plan.shape.evolves_apart() {
-            let (evolve, probe) = (names::evolve(), self.probe());
-            return quote!(#probe if !self.#evolve(inputs_) { break; } #afters);
-        }
         let (moved, evolve) = (self.declare_moved(), self.evolve());
         quote!(#declare #moved #evolve #afters #collect if #unchanged { break; })
-    }
-
-    /// A30: where the bound is reached, whether the search would go on is tried on a copy.
-    fn probe(&self) -> TokenStream {
-        let (evolve, mark, unsettle) = (names::evolve(), self.mark(true), self.unsettle());
-        quote! {
-            if evolutions_left_ == 0 {
-                let mut copy_ = *self;
-                if copy_.#evolve(inputs_) {
-                    #mark
-                    #unsettle
-                }
-                break;
-            }
-        }
     }
 
     /// A25: the situation is a fixed point, and nothing else is to be done.
@@ -169,15 +150,14 @@ impl Cx<'_> {
 
     /// A30: the end of a search that does not become stable.
     fn bound(&self) -> (TokenStream, TokenStream) {
-        let Search::Bounded(undo) = self.plan.shape.search else { return Default::default() };
+        if self.plan.shape.search != Search::Bounded {
+            return Default::default();
+        }
         let (limit, p) = (Literal::u32_unsuffixed(self.plan.max_evolutions), &self.p);
         let declare = quote! {
             let mut evolutions_left_: #p::u32 = #limit;
         };
-        let put_back = match undo {
-            Undo::Copy => return (declare, quote!(evolutions_left_ -= 1;)),
-            Undo::Nothing => self.keep_edges().1,
-        };
+        let put_back = self.keep_edges().1;
         let (mark, unsettle) = (self.mark(true), self.unsettle());
         let bound = quote! {
             if evolutions_left_ == 0 {

@@ -135,23 +135,4 @@ impl Cx<'_> {
         };
         (0..self.plan.regions.all().len()).map(after).tokens()
     }
-
-    /// The function that does one evolution and says whether it has changed the situation.
-    pub(super) fn evolve_function(&self) -> Option<TokenStream> {
-        let evolve = self.plan.shape.evolves_apart().then(|| self.evolve())?;
-        let (p, inputs, name) = (&self.p, &self.names.inputs, names::evolve());
-        let befores = self.befores();
-        let copied = super::requirements::copied(self.model, &self.p);
-        Some(quote! {
-            /// One evolution; whether it has changed the situation.
-            #[inline(never)]
-            fn #name(&mut self, inputs_: &#inputs) -> #p::bool {
-                #copied
-                let mut moved_ = false;
-                #befores
-                #evolve
-                moved_
-            }
-        })
-    }
 }

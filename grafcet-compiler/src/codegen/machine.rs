@@ -26,8 +26,6 @@ pub(super) struct Machine<'m> {
     pub(super) cycle: TokenStream,
     /// The body of a cycle that leads into the situation that is asked for.
     pub(super) forced: Option<TokenStream>,
-    /// A function that the cycle calls.
-    pub(super) evolve: Option<TokenStream>,
     /// By step: whether it is active.
     pub(super) active: Vec<TokenStream>,
     /// By step: the region whose state tells that, and the names of the states in which it is.
@@ -90,7 +88,6 @@ impl<'m> Machine<'m> {
             stored: remembered.and(vars).list(),
             cycle: cx.cycle_body(),
             forced: cx.forced_body(),
-            evolve: cx.evolve_function(),
             active: model.steps.ids().map(|step| chart_impl::holds(cx, step)).list(),
             homes: model.steps.ids().map(|step| (plan.regions.of_step(step), vec![step])).list(),
             situation: chart_impl::situation(cx),

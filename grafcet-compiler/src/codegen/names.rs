@@ -101,11 +101,6 @@ fn state(name: &str, region: RegionId, plan: &Plan<'_>) -> Ident {
     if plan.regions.are_flags() { local(name) } else { local(&numbered(name, name, region, plan)) }
 }
 
-/// The function that does one evolution.
-pub(super) fn evolve() -> Ident {
-    own("__evolve")
-}
-
 /// Whether a step of the region was left and entered again in one evolution.
 pub(super) fn again(region: RegionId, plan: &Plan<'_>) -> Ident {
     local(&numbered("again", "again", region, plan))

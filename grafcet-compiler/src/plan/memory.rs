@@ -64,12 +64,6 @@ pub enum Counted {
 }
 
 impl Memory {
-    /// How many counters begin with the activation of a region's active step.
-    pub(super) fn counters(&self, region: RegionId) -> usize {
-        let phases = self.phases.iter().filter(|phase| phase.of == Counted::Region(region)).count();
-        usize::from(self.step_times[region]) + phases
-    }
-
     pub(super) fn of(model: &Model, regions: &Regions, drives: &[Drive], control: &Control) -> Self {
         let reads: Set<Read> = model.expressions().into_iter().flatten().copied().collect();
         let combinational = combinational::in_order(model);

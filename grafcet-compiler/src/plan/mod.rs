@@ -23,7 +23,7 @@ pub use drive::Drive;
 pub use evolution::Evolution;
 pub use memory::{Counted, Memory, Phase};
 pub use regions::{Region, RegionId, Regions};
-pub use shape::{Form, Search, Shape, Undo};
+pub use shape::{Form, Search, Shape};
 pub use stored::{Stored, is_stored};
 
 use crate::analysis::{Facts, Races};

@@ -2,13 +2,9 @@
 
 use super::{Descent, Evolution, Memory, Regions, Stored};
 use crate::analysis::Facts;
-use crate::model::{AssociationId, Effect, Model, Place, Qualifier};
+use crate::model::{AssociationId, Effect, Model, Qualifier};
 use crate::program::{self, Program, Refused};
 use crate::sorted::Set;
-
-/// A program keeps what an evolution in place changes, where the bound may take that back. Up to so many fields that takes less than calling the
-/// evolution as a function and once more on a copy.
-const FEW_FIELDS: usize = 3;
 
 /// How an evolution finds the next situation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -32,16 +28,7 @@ pub enum Search {
     /// Until nothing clears, and it is certain that this comes.
     Ends,
     /// Until nothing changes, or the bound is reached (A30).
-    Bounded(Undo),
-}
-
-/// How a search whose bound is reached knows whether it would go on.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Undo {
-    /// The situation before is at hand anyway.
-    Nothing,
-    /// The evolution is a function, and the last one works on a copy of the chart.
-    Copy,
+    Bounded,
 }
 
 /// A program, where the chart has passed the checks.
@@ -71,11 +58,7 @@ impl Known<'_> {
     ) -> (Shape, Option<Made<'m>>) {
         let mut shape = Shape::of(model, &self);
         let has_branches = self.regions.all().len() > 1;
-        let lean = if has_branches && shape.may_be_program(model, &self) {
-            program::lean(model, facts, recorded)
-        } else {
-            None
-        };
+        let lean = if has_branches && !shape.is_flags() { program::lean(model, facts, recorded) } else { None };
         if lean.is_some() {
             self.is_lean = true;
             shape = Shape::of(model, &self);
@@ -112,7 +95,7 @@ impl Shape {
     /// The shape that suits a chart of which all else is planned.
     pub(super) fn of(model: &Model, plan: &Known<'_>) -> Self {
         let only_situation = changes_only_situation(model, plan);
-        let form = form(plan, only_situation);
+        let form = form(plan);
         let in_place = form == Form::InPlace;
         let descends = model.partials.len() > 1 && in_place && plan.descent != Descent::Compares;
         let at_once = if in_place && (model.partials.len() == 1 || descends) {
@@ -158,22 +141,7 @@ impl Shape {
         if !model.is_grafcet() || self.form == Form::Program {
             return Search::None;
         }
-        match plan.may_be_unstable {
-            true if self.form != Form::InPlace => Search::Bounded(Undo::Nothing),
-            true => Search::Bounded(Undo::Copy),
-            false => Search::Ends,
-        }
-    }
-
-    /// How many fields an evolution in place changes where a transition clears.
-    fn changed_fields(&self, model: &Model, plan: &Known<'_>) -> usize {
-        let regions = plan.regions.all().len();
-        let times: usize = (0..regions).map(|region| plan.memory.counters(region)).sum();
-        let mut places: Set<Place> = Set::new();
-        for id in &self.at_once {
-            places.extend(model.associations[*id].effect.writes().iter().copied());
-        }
-        regions + if self.begins_on_entry { times } else { 0 } + places.len()
+        if plan.may_be_unstable { Search::Bounded } else { Search::Ends }
     }
 
     /// A bit for each step.
@@ -187,17 +155,6 @@ impl Shape {
     pub fn is_in_place(&self) -> bool {
         self.form == Form::InPlace
     }
-
-    /// Whether a program could take the place of this shape.
-    pub(super) fn may_be_program(&self, model: &Model, plan: &Known<'_>) -> bool {
-        !self.is_flags() && (!self.evolves_apart() || self.changed_fields(model, plan) <= FEW_FIELDS)
-    }
-
-    /// The evolution is a function of its own, so that a search without end can try another one on a copy.
-    #[must_use]
-    pub fn evolves_apart(&self) -> bool {
-        self.search == Search::Bounded(Undo::Copy)
-    }
 }
 
 /// Whether nothing but a change of the situation makes a search go on: no collected place, no call that is due (A25).
@@ -208,15 +165,13 @@ fn changes_only_situation(model: &Model, plan: &Known<'_>) -> bool {
         && !model.transitions.values().any(|transition| transition.clearing.iter().any(calls))
 }
 
-fn form(plan: &Known<'_>, only_situation: bool) -> Form {
+fn form(plan: &Known<'_>) -> Form {
     if plan.regions.are_flags() {
         return Form::Flags;
     }
     if plan.regions.is_single() || plan.is_lean {
         return Form::Program;
     }
-    // Where a search may have no end, the last evolution is tried on a copy of the chart, or taken back (A30); what else an
-    // evolution reads and writes would have to be copied too.
-    let copies = only_situation && plan.memory.edges.is_empty() && plan.memory.combinational.is_empty();
-    if plan.groups && (!plan.may_be_unstable || copies) { Form::InPlace } else { Form::Compared }
+    // Where a search may have no end, its last evolution is compared with the situation before, which stays (A30).
+    if plan.groups && !plan.may_be_unstable { Form::InPlace } else { Form::Compared }
 }

@@ -39,9 +39,6 @@ const LEAN: usize = 2;
 /// With more steps in parallel branches the passes take longer than a build should, as each of them looks at all branches.
 const FEW_STEPS: usize = 500;
 
-/// The same of a `grafcet`, whose search is looked at again for each way that leads on.
-const FEW_STEPS_IN_SEARCH: usize = 100;
-
 /// The program from which the macro prints the cycle of a chart; of one that is recorded it keeps the reading of the clock.
 ///
 /// # Errors
@@ -58,8 +55,7 @@ pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool)
 /// The same of a chart of several regions, if what the passes leave of it is not much longer than the chart itself, or no longer than without
 /// them. Where many transitions synchronise the same branches it is longer, as there is a way for each of their outcomes.
 pub(crate) fn lean<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Option<Program<'m>> {
-    let few = if model.is_grafcet() { FEW_STEPS_IN_SEARCH } else { FEW_STEPS };
-    if model.steps.len() > few {
+    if model.steps.len() > FEW_STEPS {
         return None;
     }
     let program = optimised(model, facts, recorded).ok()?;

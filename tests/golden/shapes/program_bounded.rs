@@ -11,15 +11,6 @@ impl Lamp {
         inputs: &LampInputs,
     ) -> LampOutputs {
         let mut outputs_ = LampOutputs { lamp: false };
-        let first_: bool = self.situation.state()
-            == __LampState::INIT;
-        if first_ {
-            self.situation = self.situation.with(__LampState::Off);
-        }
-        let edge0_now_: bool = inputs_.next;
-        if first_ {
-            self.edge0_before = edge0_now_;
-        }
         let mut now_state_: __LampState = self.situation.state();
         self.situation = __LampStateMark::of(now_state_);
         self.situation = self.situation.unmarked();
@@ -29,15 +20,39 @@ impl Lamp {
             fence_on_armv6m();
             match now_state_ {
                 __LampState::Off => {
-                    if inputs_.on {
+                    if inputs_.on
+                        && ({
+                            let pushed = self.pushed;
+                            pushed < 3
+                        })
+                    {
+                        let next_pushed_: core::primitive::u8 = {
+                            let pushed = self.pushed;
+                            (pushed + 1) % 4
+                        };
                         if evolutions_ == 8 {
                             self.situation = self.situation.marked();
                             break;
                         } else {
                             now_state_ = __LampState::On;
+                            self.pushed = next_pushed_;
                         }
                     } else {
-                        break;
+                        if inputs_.on
+                            && ({
+                                let pushed = self.pushed;
+                                pushed >= 3
+                            })
+                        {
+                            if evolutions_ == 8 {
+                                self.situation = self.situation.marked();
+                                break;
+                            } else {
+                                now_state_ = __LampState::Rest;
+                            }
+                        } else {
+                            break;
+                        }
                     }
                 }
                 __LampState::On => {
@@ -49,19 +64,10 @@ impl Lamp {
                             now_state_ = __LampState::Off;
                         }
                     } else {
-                        if !self.edge0_before && edge0_now_ {
-                            if evolutions_ == 8 {
-                                self.situation = self.situation.marked();
-                                break;
-                            } else {
-                                now_state_ = __LampState::Bright;
-                            }
-                        } else {
-                            break;
-                        }
+                        break;
                     }
                 }
-                __LampState::Bright => {
+                __LampState::Rest => {
                     if inputs_.off {
                         if evolutions_ == 8 {
                             self.situation = self.situation.marked();
@@ -73,26 +79,19 @@ impl Lamp {
                         break;
                     }
                 }
-                _ => {
-                    break;
-                }
             }
             self.situation = __LampStateMark::of(now_state_);
             self.situation = self.situation.unmarked();
-            self.edge0_before = edge0_now_;
             evolutions_ = evolutions_.wrapping_add(1);
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
         match self.situation.state() {
-            __LampState::On | __LampState::Bright => {
+            __LampState::On => {
                 outputs_.lamp = true;
             }
             _ => {}
-        }
-        if !self.situation.is_marked() {
-            self.edge0_before = edge0_now_;
         }
         outputs_
     }

@@ -6,6 +6,7 @@
 //! cycle at most. Where no circle is left without these, the search ends.
 
 mod once;
+mod rounds;
 mod successors;
 
 use self::successors::Successors;
@@ -72,6 +73,15 @@ impl Stability {
     pub fn is_memoryless(model: &Model) -> bool {
         let stays = |read: &Read| is_constant_read(read) || matches!(read, Read::Active(_) | Read::MacroActive(_));
         model.transitions.values().flat(|transition| &transition.condition.reads).all(stays)
+    }
+
+    /// Whether a search of so many evolutions goes on for ever.
+    #[must_use]
+    pub fn goes_on_after(model: &Model, concurrency: &Concurrency, evolutions: u32) -> bool {
+        let is_sequence = model.steps.ids().all(|step| concurrency.beside(step).next().is_none());
+        let evolutions = evolutions as usize;
+        is_sequence && Self::is_memoryless(model) && evolutions >= model.steps.len()
+            || rounds::longest(model, concurrency).is_some_and(|longest| longest < evolutions)
     }
 
     /// Every search ends.

@@ -82,7 +82,6 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
         stored: printer.stored(),
         cycle: printer.cycle(cycle),
         forced: bodies.forced.as_deref().map(|forced| printer.cycle(forced)),
-        evolve: None,
         active: cx.model.steps.ids().map(|step| printer.is_active(step)).list(),
         homes: cx.model.steps.ids().map(|step| program.home(step)).list(),
         situation: printer.situation(),

@@ -187,7 +187,7 @@ impl<'m> Printer<'_, 'm> {
 
     fn began_at(&self, began: PlaceId, name: Ident) -> Began {
         let (mut awaited, mut longest) = (Vec::new(), 0);
-        for Deadline { at_once, reading, waits, .. } in &self.program.deadline {
+        if let Some(Deadline { at_once, reading, waits, .. }) = &self.program.deadline {
             if mentions(reading, began) {
                 awaited.push(self.condition(at_once));
             }

@@ -101,18 +101,32 @@ impl<'m> Lower<'_, 'm> {
         let mut is_stable: Vec<Statement<'m>> = stable.map(|stable| Statement::Set(stable, yes())).into_iter().list();
         is_stable.push(Statement::Break);
         part(&mut body, "stable (A25)", vec![Statement::If(not(any(changes)), is_stable, Vec::new())]);
-        if let Some(stable) = stable {
-            let mut stop = vec![Statement::Set(stable, no())];
-            stop.push_all(self.take_back());
-            stop.push(Statement::Break);
-            let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound as usize));
-            part(&mut body, "the bound (A30)", vec![Statement::If(at_bound, stop, Vec::new())]);
+        let bound = stable.map(|stable| self.bound(stable, round)).into_iter().list();
+        if self.is_stopped_behind() {
+            body.extend_from_slice(&round.commit);
+            part(&mut body, "the bound (A30)", bound);
+        } else {
+            part(&mut body, "the bound (A30)", bound);
+            body.extend_from_slice(&round.commit);
         }
-        body.extend_from_slice(&round.commit);
         body
     }
 
-    /// The bound stops the search: the situation it had reached stays.
+    /// Whether the bound is looked at behind the last evolution, as what has made so many goes on for ever; of one region `search` finds that.
+    fn is_stopped_behind(&self) -> bool {
+        self.comes_back && self.state.len() > 1
+    }
+
+    /// The bound stops the search.
+    fn bound(&self, stable: PlaceId, round: &Round<'m>) -> Statement<'m> {
+        let mut stop = vec![Statement::Set(stable, no())];
+        stop.push_all(if self.is_stopped_behind() { round.look.clone() } else { self.take_back() });
+        stop.push(Statement::Break);
+        let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound as usize));
+        Statement::If(at_bound, stop, Vec::new())
+    }
+
+    /// The situation that the search had reached before stays.
     fn take_back(&self) -> Vec<Statement<'m>> {
         let pairs = self.was.iter().zip(&self.state);
         pairs.map(|(was, state)| Statement::Set(*state, Expr::Place(*was))).list()

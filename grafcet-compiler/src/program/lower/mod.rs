@@ -221,6 +221,8 @@ struct Lower<'r, 'm> {
     evolutions: PlaceId,
     /// Each search is certain to end: no bound stops it (A30).
     search_ends: bool,
+    /// One that has made as many evolutions as the bound says goes on for ever.
+    comes_back: bool,
     /// After so many evolutions a search is given up.
     bound: u32,
 }

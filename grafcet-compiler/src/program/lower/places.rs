@@ -79,6 +79,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             entered: Vec::new(),
             free: vec![None; model.partials.len()],
             evolutions: PlaceId(0),
+            comes_back: facts.searches(model).comes_back,
             search_ends: clocks == Clocks::Read && super::ends(model, facts),
             bound: facts.searches(model).bound,
         };

@@ -34,6 +34,7 @@
 //! - `nested`: what one region does stands with the states of another one beside which it does something
 //! - `united`: regions that have few states together share one place
 //! - `arms`: what is done in one state alone stands in its arm
+//! - `direct`: outputs are put together in their own places
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
@@ -48,6 +49,7 @@ mod begun;
 mod branches;
 mod dead;
 mod decompose;
+mod direct;
 mod early;
 mod engine;
 mod fences;
@@ -125,12 +127,13 @@ pub enum Pass {
     Nested,
     United,
     Arms,
+    Direct,
     Fences,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 34] = [
         Self::Marks,
         Self::Decompose,
         Self::Outputs,
@@ -163,6 +166,7 @@ impl Pass {
         Self::Nested,
         Self::United,
         Self::Arms,
+        Self::Direct,
         Self::Fences,
     ];
 
@@ -274,6 +278,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Arms) {
         arms::pass(program);
+    }
+    if wants(Pass::Direct) {
+        direct::pass(program);
     }
     if wants(Pass::Fences) {
         fences::pass(program);

@@ -21,6 +21,9 @@ use super::fold::Known;
 use super::uses::{Effects, blocks_mut, is_pure};
 use crate::model::{Id, StepId};
 
+/// So many statements are worth a test of their own.
+const FEW: usize = 3;
+
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 || program.beside.is_empty() {
         return;
@@ -51,7 +54,95 @@ fn nest<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
             nest(program, block);
         }
     }
+    gather(program, &mut all);
     *statements = all;
+}
+
+/// Several statements behind a match that do nothing beside the same of its states stand in an arm with all others:
+///
+/// ```text
+/// match state.Main                                   match state.Main
+///   Idle: ready = true                                 Idle: ready = true
+///   A: a = true                                        else:
+///   B: b = true                                          match state.Main
+/// match state.Left …                         ->            A: a = true
+/// match state.Right …                                      B: b = true
+/// match state.Top …                                      match state.Left …
+///                                                        match state.Right …
+///                                                        match state.Top …
+/// ```
+fn gather<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
+    let mut at = 0;
+    while at < statements.len() {
+        if let Some((resting, count)) = followers(program, &statements[at..]) {
+            let mut inner = statements.split_off(at);
+            statements.extend(inner.split_off(count + 1));
+            let outer = apart(&mut inner, &resting);
+            statements.insert(at, outer);
+        }
+        at += 1;
+    }
+}
+
+/// The states of the match in front beside which so many statements behind it do nothing, where these are several.
+fn followers(program: &Program<'_>, statements: &[Statement<'_>]) -> Option<(Vec<Option<StepId>>, usize)> {
+    let [Statement::Match(place, ..), behind @ ..] = statements else { return None };
+    let Role::State(region) = program.places[place.0].role else { return None };
+    let resting = |statement: &Statement<'_>| {
+        let mut states = states(program, region);
+        states.retain(|state| Beside { program, place: *place, region, state: *state }.rests(statement));
+        states
+    };
+    let mut common = resting(behind.first()?);
+    let mut count = 0;
+    for statement in behind {
+        let Statement::Match(..) = statement else { break };
+        let others = resting(statement);
+        if !common.iter().all(|state| others.contains(state)) {
+            break;
+        }
+        count += 1;
+    }
+    common.retain(Option::is_some);
+    (!common.is_empty() && count >= FEW).then_some((common, count))
+}
+
+/// The match in front with the arms of some states, and all else in one for the others.
+fn apart<'m>(statements: &mut Vec<Statement<'m>>, resting: &[Option<StepId>]) -> Statement<'m> {
+    let Statement::Match(place, arms, otherwise) = statements.remove(0) else { return Statement::Break };
+    let (mut outer, mut inner) = (Vec::new(), Vec::new());
+    for (values, body) in arms {
+        let rests = |value: &Value| resting.iter().any(|state| *value == Value::Step(*state));
+        let (here, there): (Vec<Value>, Vec<Value>) = values.iter().partition(|value| rests(value));
+        if !there.is_empty() {
+            inner.push((there, body.clone()));
+        }
+        if !here.is_empty() {
+            outer.push((here, body));
+        }
+    }
+    let named = |state: &&Option<StepId>| outer.iter().any(|(values, _)| values.contains(&Value::Step(**state)));
+    let mut left = Vec::new();
+    for state in resting.iter().filter(|state| !named(state)) {
+        left.push(Value::Step(*state));
+    }
+    if !left.is_empty() {
+        outer.push((left, otherwise.clone()));
+    }
+    if !(inner.is_empty() && otherwise.is_empty()) {
+        statements.insert(0, Statement::Match(place, inner, otherwise));
+    }
+    Statement::Match(place, outer, std::mem::take(statements))
+}
+
+/// All states of a region.
+fn states(program: &Program<'_>, region: usize) -> Vec<Option<StepId>> {
+    let mut states: Vec<Option<StepId>> = vec![];
+    states.extend(program.regions[region].iter().map(|step| Some(*step)));
+    if !program.full[region] {
+        states.push(None);
+    }
+    states
 }
 
 /// Regions that are written first come first, as they are above others as a rule, where one of two neighbours can stand in the other one.
@@ -83,11 +174,7 @@ fn home<'s, 'p, 'm>(
 ) -> Option<(&'s mut Vec<Statement<'m>>, Option<Beside<'p, 'm>>)> {
     let Statement::Match(place, arms, otherwise) = above else { return None };
     let Role::State(region) = program.places[place.0].role else { return None };
-    let mut states: Vec<Option<StepId>> = vec![];
-    states.extend(program.regions[region].iter().map(|step| Some(*step)));
-    if !program.full[region] {
-        states.push(None);
-    }
+    let mut states = states(program, region);
     let count = states.len();
     states.retain(|state| !Beside { program, place: *place, region, state: *state }.rests(statement));
     let arm = |state: &Option<StepId>| arms.iter().position(|(values, _)| values.contains(&Value::Step(*state)));

@@ -13,6 +13,7 @@ use grafcet_compiler::program::{Encoding, Role, Statement, naive};
 use grafcet_conformance::program::{Outcome, compare, program as optimised, sleeps};
 use grafcet_conformance::reader;
 
+use super::forks::WASH;
 use super::regions::{BOXES, CELL, PLANT};
 use super::{read, recorded};
 /// A small chart for each pass: its program in front of it and after it, as pseudo-code.
@@ -75,6 +76,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Nested, PLANT),
         (Pass::United, BOXES),
         (Pass::Arms, BOXES),
+        (Pass::Direct, WASH),
         (Pass::Fences, pair),
     ] {
         let model = read(chart);

@@ -6,9 +6,16 @@ use crate::model::StepId;
 use crate::program::{Expr, Meeting, PlaceId, Statement, Value};
 use crate::sorted::Set;
 
+/// Of more steps nothing is said: each two regions are followed through the cycle, which takes longer than a build should.
+const MOST: usize = 100;
+
 /// Of each two regions, if not all their states meet.
 pub(super) fn meetings(several: &Several<'_, '_>, round: &[Statement<'_>], begin: &[Option<StepId>]) -> Vec<Meeting> {
     let mut found = Vec::new();
+    let states = (0..several.states.len()).map(|region| several.possible(region).len());
+    if states.sum::<usize>() > MOST {
+        return found;
+    }
     for second in 0..several.states.len() {
         for first in 0..second {
             let regions = [first, second];

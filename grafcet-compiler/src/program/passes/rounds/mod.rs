@@ -18,7 +18,7 @@
 //!
 //! What is done after a round that has found the situation stable is done once for each state (`several`).
 //!
-//! Needs: one loop, which is left where no region has moved and nothing else has changed, or with the situation taken back; nothing around it writes
+//! Needs: one loop, which is left where no region has moved and nothing else has changed, with the situation taken back, or behind an evolution; nothing around it writes
 //! the situation; what moves a region can stand
 //! together (`parts`).
 
@@ -107,7 +107,7 @@ impl<'m> Cycle<'m> {
             return None;
         }
         let copies = copies(&states, &head, &changes)?;
-        if !tail.iter().all(|one| !leaves(one) || takes_back(one, &copies)) {
+        if !tail.iter().all(|one| !leaves(one) || takes_back(one, &copies) || stops(one, &copies)) {
             return None;
         }
         let moves = local(places, "moves");
@@ -117,7 +117,7 @@ impl<'m> Cycle<'m> {
             turn.push(Statement::Set(moves, Expr::Any(vec![Expr::Place(moves), part.clone()])));
         }
         let mut end = vec![Statement::If(not(Expr::Place(moves)), leaving, Vec::new())];
-        let bounded = tail.iter().any(leaves);
+        let bounded = tail.iter().any(|one| takes_back(one, &copies));
         for statement in tail {
             let ready = !bounded && is_nothing_where_all_rests(&statement, &changes);
             if ready && end.iter().skip(1).all(|other| Effects::of(other).may_swap(&Effects::of(&statement))) {
@@ -224,13 +224,19 @@ fn copies(states: &[PlaceId], head: &[Statement<'_>], changes: &[Expr<'_>]) -> O
 
 /// Whether it leaves the loop with the situation taken back.
 fn takes_back(statement: &Statement<'_>, copies: &[(PlaceId, PlaceId)]) -> bool {
+    copies.iter().all(|(was, state)| leaves_with(statement, *state, *was))
+}
+
+/// Whether it leaves the loop with the situation that it has come to, as that behind which nothing moves.
+fn stops(statement: &Statement<'_>, copies: &[(PlaceId, PlaceId)]) -> bool {
+    copies.iter().all(|(was, state)| leaves_with(statement, *was, *state))
+}
+
+/// Whether it makes one place another one where it leaves the loop.
+fn leaves_with(statement: &Statement<'_>, to: PlaceId, from: PlaceId) -> bool {
     let Statement::If(_, leaving, otherwise) = statement else { return false };
-    let taken = |(was, state): &(PlaceId, PlaceId)| {
-        let is =
-            |one: &Statement<'_>| matches!(one, Statement::Set(to, Expr::Place(from)) if to == state && from == was);
-        leaving.iter().any(is)
-    };
-    otherwise.is_empty() && copies.iter().all(taken)
+    let is = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Place(value)) if *place == to && *value == from);
+    otherwise.is_empty() && opened(leaving).iter().any(is)
 }
 
 /// Whether it does nothing in a round in which nothing moves: it may be done before that is asked.

@@ -1,0 +1,79 @@
+//! A fork of several branches: what they do is asked for where they are active, put into the outputs at once, and a search that goes on for ever is stopped behind an evolution.
+
+use grafcet_compiler::program::Encoding;
+use grafcet_compiler::program::passes::Pass;
+use grafcet_conformance::program::program as optimised;
+
+use super::passes::{drawn, each_left_out};
+use super::read;
+
+/// Four branches put four outputs together.
+pub(super) const WASH: &str = "grafcet Wash { input start, a, b, c, off: bool; output water, brush, foam, lamp: bool; initial step Idle; \
+     step Left1 { water; brush; } step Left2 { foam; lamp; } step Right1 { water; foam; } step Right2 { brush; } step Top1 { brush; lamp; } \
+     step Top2 { foam; } step Back1 { lamp; } step Back2 { water; } \
+     Idle -[start]-> (Left1, Right1, Top1, Back1); Left1 -[a]-> Left2; Right1 -[b]-> Right2; Top1 -[c]-> Top2; Back1 -[a && c]-> Back2; \
+     (Left2, Right2, Top2, Back2) -[off]-> Idle; }";
+
+const INPUTS: [(&str, bool); 5] = [("start", false), ("a", false), ("b", false), ("c", false), ("off", false)];
+
+fn text(chart: &str, left_out: &[Pass]) -> String {
+    let mut passes = Pass::ALL.to_vec();
+    passes.retain(|pass| !left_out.contains(pass));
+    optimised(&read(chart), Encoding::Regions, &passes).expect("a program").to_string()
+}
+
+fn is_the_same(chart: &str) {
+    each_left_out(&read(chart), &drawn(&INPUTS, 300), 100);
+}
+
+/// A search that has made as many evolutions as the bound says has come back to the step that is active alone: nothing is tried and taken back.
+#[test]
+fn a_search_that_goes_on_for_ever_is_stopped_behind_an_evolution() {
+    let stopped = text(WASH, &[]);
+    let end =
+        "      break\n    evolutions = evolutions + 1\n    if evolutions == 20:\n      stable = false\n      break\n";
+    assert!(stopped.contains(end) && !stopped.contains("was.state"), "{stopped}");
+    is_the_same(WASH);
+    is_the_same(&WASH.replacen("input start", "max_evolutions 9; input start", 1));
+    // What asks for a step of another branch may wait for it as long as it likes.
+    for other in [
+        WASH.replacen("Left1 -[a]", "Left1 -[a && !Right1.X]", 1),
+        WASH.replacen("input start", "max_evolutions 3; input start", 1),
+    ] {
+        let tried = text(&other, &[]);
+        assert!(tried.contains("state.Idle = was.state.Idle") && !tried.contains(end), "{tried}");
+        is_the_same(&other);
+    }
+}
+
+/// Outside the branches nobody asks for them.
+#[test]
+fn what_branches_do_is_asked_for_where_they_are_active() {
+    let within = "  match state.Idle\n    Idle:\n    else:\n      match state.Idle\n        Left1:\n";
+    assert!(text(WASH, &[]).contains(within), "{}", text(WASH, &[]));
+    // An arm that does something stays, and so does what all others share.
+    let busy = WASH.replacen("initial step Idle;", "initial step Idle { lamp; } step End { foam; }", 1);
+    let busy = busy.replacen("-[off]-> Idle;", "-[off]-> End; End -[!off]-> Idle;", 1);
+    let shown = text(&busy, &[]);
+    assert!(shown.contains("  match state.Idle\n    Idle: lamp = true\n    End: foam = true\n    else:\n"), "{shown}");
+    is_the_same(&busy);
+    // Two branches are asked for as they were.
+    let two = "grafcet Two { input start, a, b, c, off: bool; output p, q: bool; initial step Idle; step A1 { p; } step A2; step B1 { q; } step B2; \
+               Idle -[start]-> (A1, B1); A1 -[a]-> A2; B1 -[b]-> B2; (A2, B2) -[off && !c]-> Idle; }";
+    assert!(!text(two, &[]).contains("else:\n      match state.Idle\n        A1: p"), "{}", text(two, &[]));
+}
+
+/// From four outputs on they are put together in their own places, unless something asks for them.
+#[test]
+fn outputs_are_put_together_in_their_own_places() {
+    assert!(!text(WASH, &[]).contains("next."), "{}", text(WASH, &[]));
+    assert!(text(WASH, &[Pass::Direct]).contains("foam = next.foam"), "{}", text(WASH, &[Pass::Direct]));
+    let few =
+        WASH.replacen("step Top2 { foam; }", "step Top2;", 1).replacen("Left2 { foam; lamp; }", "Left2 { lamp; }", 1);
+    assert!(text(&few, &[]).contains("lamp = next.lamp"), "{}", text(&few, &[]));
+    let asked = WASH.replacen("Left1 -[a]", "Left1 -[a && !foam]", 1);
+    assert!(text(&asked, &[]).contains("water = next.water"), "{}", text(&asked, &[]));
+    for chart in [few, asked, WASH.replacen("foam, lamp: bool", "foam: bool; output lamp: bool = true", 1)] {
+        is_the_same(&chart);
+    }
+}
