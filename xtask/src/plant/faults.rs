@@ -203,9 +203,9 @@ pub(super) const FAULTS: [Fault; 33] = [
     Fault {
         name: "an evolution that the bound stops consumes its edges (A30)",
         charts: Some("a30_edges"),
-        file: "grafcet-compiler/src/codegen/grafcet.rs",
-        right: "Undo::Nothing => self.keep_edges().1,",
-        wrong: "Undo::Nothing => TokenStream::new(),",
+        file: "grafcet-compiler/src/program/lower/grafcet.rs",
+        right: "when(&mut end, stable.map_or_else(yes, Expr::Place), self.use_up_edges());",
+        wrong: "when(&mut end, yes(), self.use_up_edges());",
     },
     Fault {
         name: "what is paused clears by the push button (A39)",
