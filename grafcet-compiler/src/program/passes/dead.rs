@@ -209,6 +209,7 @@ fn renumbered<'m>(expr: &Expr<'m>, new: &dyn Fn(PlaceId) -> PlaceId) -> Expr<'m>
         Expr::Place(place) => Some(Expr::Place(new(*place))),
         Expr::Is(place, steps) => Some(Expr::Is(new(*place), steps.clone())),
         Expr::Next(place) => Some(Expr::Next(new(*place))),
+        Expr::Table(place, values) => Some(Expr::Table(new(*place), values.clone())),
         Expr::Initial(place) => Some(Expr::Initial(new(*place))),
         _ => None,
     })

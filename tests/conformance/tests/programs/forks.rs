@@ -1,5 +1,7 @@
 //! A fork of several branches: what they do is asked for where they are active, put into the outputs at once, and a search that goes on for ever is stopped behind an evolution.
 
+use std::fmt::Write as _;
+
 use grafcet_compiler::program::Encoding;
 use grafcet_compiler::program::passes::Pass;
 use grafcet_conformance::program::program as optimised;
@@ -76,4 +78,39 @@ fn outputs_are_put_together_in_their_own_places() {
     for chart in [few, asked, WASH.replacen("foam, lamp: bool", "foam: bool; output lamp: bool = true", 1)] {
         is_the_same(&chart);
     }
+}
+
+/// A number is put into its output at once, too, and what the output begins with is not put there first. Of several the last one counts (A35), also with the value
+/// that the output begins with.
+#[test]
+fn an_output_begins_with_its_own_value() {
+    let heat = "grafcet Heat { #![allow(grafcet::conflicting_values)] input start, a, b, c, off: bool; output power: u16 = 3; output n: u8; output p: bool; \
+                initial step Idle; step A1 { power = 10; } step A2 { power = 3; n = 4; } step A3; step B1 { p; power = 3; } step B2 { n = 9; power = 7; } \
+                Idle -[start]-> (A1, B1); A1 -[a]-> A2 -[b]-> A3; B1 -[b]-> B2; (A3, B2) -[off]-> Idle; }";
+    let (shown, left_out) = (text(heat, &[]), text(heat, &[Pass::Direct]));
+    assert!(left_out.contains("next.power = 3") && !shown.contains("next."), "{shown}");
+    is_the_same(heat);
+    is_the_same(&heat.replacen("n = 9", "n = 0", 1));
+    is_the_same(&heat.replacen("p: bool;", "p: bool; output lag: time = 2ms;", 1).replacen(
+        "step A3;",
+        "step A3 { lag = 5ms; }",
+        1,
+    ));
+}
+
+/// The tables of a long sequence still ask for its state where a place in front of it is gone.
+#[test]
+fn tables_follow_when_places_are_counted_anew() {
+    let mut ring =
+        "grafcet Ring { optimize size; input start, a, b, c, off: bool; output p: bool; output level: u8; ".to_owned();
+    for step in 0..24 {
+        let initial = if step == 0 { "initial " } else { "" };
+        let action = ["", "p;", "level = 8;", "level = 3 + 4;"][step % 4];
+        let input = ["start", "!a", "b", "!c"][step % 4];
+        _ = write!(ring, "{initial}step S{step} {{ {action} }} S{step} -[{input}]-> S{}; ", (step + 1) % 24);
+    }
+    ring.push('}');
+    let shown = text(&ring, &[]);
+    assert!(shown.contains("table(now.state)") && !shown.contains("next.level"), "{shown}");
+    is_the_same(&ring);
 }
