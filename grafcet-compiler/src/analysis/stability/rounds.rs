@@ -62,7 +62,9 @@ struct Paths {
 impl Paths {
     /// `None` where there is a circle without such a step.
     fn of(model: &Model, concurrency: &Concurrency) -> Option<Self> {
-        let parts = parts(model);
+        // Of a sequence, which may be long, nobody has to know what is connected.
+        let is_sequence = model.steps.ids().all(|step| concurrency.beside(step).next().is_none());
+        let parts = if is_sequence { vec![0; model.steps.len()] } else { parts(model) };
         let is_alone = |step: StepId| concurrency.beside(step).all(|other| parts[other.index()] != parts[step.index()]);
         let alone: Vec<bool> = model.steps.ids().map(is_alone).list();
         let mut paths = Self { alone, longest: vec![0; model.steps.len()] };
