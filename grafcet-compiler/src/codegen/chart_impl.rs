@@ -124,7 +124,6 @@ fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
             #ticks
             #body
         }
-
     }
 }
 
