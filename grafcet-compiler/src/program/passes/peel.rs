@@ -111,8 +111,13 @@ fn begun<'m>(
                 let given = given(&then, &known, &passed);
                 if let Some(given) = given {
                     body.remove(at);
-                    let changed = given.into_iter().filter(|(to, value)| held[to.0] != Some(*value));
-                    let changed: Vec<_> = changed.map(|(to, value)| Statement::Set(to, Expr::Value(value))).collect();
+                    let mut changed = Vec::new();
+                    for (to, value) in given {
+                        // What stands behind it looks at what it has set: an edge in an edge.
+                        if held[to.0].replace(value) != Some(value) {
+                            changed.push(Statement::Set(to, Expr::Value(value)));
+                        }
+                    }
                     if !changed.is_empty() {
                         out.push(Statement::If(first, changed, Vec::new()));
                     }
