@@ -36,9 +36,6 @@ pub use united::United;
 /// A program may have so many statements for each thing that is written in its chart.
 const LEAN: usize = 2;
 
-/// With more steps in parallel branches the passes take longer than a build should, as each of them looks at all branches.
-const FEW_STEPS: usize = 500;
-
 /// The program from which the macro prints the cycle of a chart; of one that is recorded it keeps the reading of the clock.
 ///
 /// # Errors
@@ -55,9 +52,6 @@ pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool)
 /// The same of a chart of several regions, if what the passes leave of it is not much longer than the chart itself, or no longer than without
 /// them. Where many transitions synchronise the same branches it is longer, as there is a way for each of their outcomes.
 pub(crate) fn lean<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Option<Program<'m>> {
-    if model.steps.len() > FEW_STEPS {
-        return None;
-    }
     let program = optimised(model, facts, recorded).ok()?;
     let mut written = model.associations.len();
     for transition in model.transitions.values() {

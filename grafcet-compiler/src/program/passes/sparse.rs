@@ -132,28 +132,9 @@ impl Index {
         points: &States,
     ) -> Option<Self> {
         let end = list.iter().rposition(|statement| writes(statement, state))?;
-        let start = list.iter().position(|statement| writes(statement, state))?;
         let mut sparse = Sparse::new(places, state, first, assumed, points);
-        let mut index = Self {
-            always: Vec::new(),
-            before: vec![Vec::new(); points.all.len()],
-            after: vec![Vec::new(); points.all.len()],
-            last: end,
-            forks: deciding(places, &list[..=end], &[state]),
-        };
-        for (at, statement) in list.iter().enumerate() {
-            sparse.is_before = at < start;
-            sparse.is_after = at > end;
-            let support = sparse.visit(statement, &Support::all());
-            match (support.before, support.after) {
-                (Points::All, Points::All) => index.always.push(at),
-                (Points::These(few), Points::These(many)) if few.len() > many.len() => {
-                    many.iter().for_each(|point| index.after[*point].push(at));
-                }
-                (Points::These(points), _) => points.iter().for_each(|point| index.before[*point].push(at)),
-                (Points::All, Points::These(points)) => points.iter().for_each(|point| index.after[*point].push(at)),
-            }
-        }
+        let mut index = sparse.index(list, end);
+        index.forks = deciding(places, &list[..=end], &[state]);
         for (place, forks) in index.forks.iter_mut().enumerate() {
             *forks &= matches!(&sparse.may[place], Some(Support { before: Points::These(_), .. }));
         }
@@ -162,6 +143,18 @@ impl Index {
 }
 
 impl Index {
+    /// The same of one of several regions, whose states are written up to the statement `last`; the truths that are false in front of it are `assumed`.
+    pub(super) fn of_region(
+        places: &[PlaceInfo<'_>],
+        list: &[Statement<'_>],
+        state: PlaceId,
+        assumed: &[bool],
+        points: &States,
+        last: usize,
+    ) -> Self {
+        Sparse::new(places, state, None, assumed, points).index(list, last)
+    }
+
     /// All statements in all states; none of them writes the state.
     pub(super) fn whole(places: usize, list: usize, points: &States) -> Self {
         let none = vec![Vec::new(); points.all.len()];
@@ -266,6 +259,28 @@ impl<'s, 'm> Sparse<'s, 'm> {
             is_after: false,
             depth: 0,
         }
+    }
+
+    /// The statements by where they matter; no state is written behind the statement `last`.
+    fn index(&mut self, list: &[Statement<'m>], last: usize) -> Index {
+        let none = vec![Vec::new(); self.points.all.len()];
+        let forks = vec![false; self.places.len()];
+        let mut index = Index { always: Vec::new(), before: none.clone(), after: none, last, forks };
+        let start = list.iter().position(|statement| writes(statement, self.state)).unwrap_or(list.len());
+        for (at, statement) in list.iter().enumerate() {
+            self.is_before = at < start;
+            self.is_after = at > last;
+            let support = self.visit(statement, &Support::all());
+            match (support.before, support.after) {
+                (Points::All, Points::All) => index.always.push(at),
+                (Points::These(few), Points::These(many)) if few.len() > many.len() => {
+                    many.iter().for_each(|point| index.after[*point].push(at));
+                }
+                (Points::These(points), _) => points.iter().for_each(|point| index.before[*point].push(at)),
+                (Points::All, Points::These(points)) => points.iter().for_each(|point| index.after[*point].push(at)),
+            }
+        }
+        index
     }
 
     /// Where the expression may be true.

@@ -7,11 +7,15 @@ use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
 use super::super::uses::writes_to;
 use super::{Env, Several, Tie};
+use crate::list::List;
 use crate::model::{Id, StepId};
 use crate::program::{Arm, PlaceId, Statement, Type, Value};
 
 /// More ways from one state than this are too many.
 const WAYS: usize = 64;
+
+/// For fewer states it is not worth while to find out which statements matter in which one.
+const FEW: usize = 6;
 
 /// In statements, what a second match costs.
 const DISPATCH: usize = 5;
@@ -51,9 +55,16 @@ impl<'m> Several<'_, 'm> {
         tells_all: bool,
     ) -> Option<(Vec<(Value, Tree<'m>)>, Vec<Among>)> {
         let (points, state) = (&self.points[region], self.states[region]);
-        let mut index = Index::whole(self.places.len(), list.len(), points);
         let writes = |one: &Statement<'m>| self.decides(std::slice::from_ref(one));
-        if let Some(last) = list.iter().rposition(writes) {
+        let last = list.iter().rposition(writes);
+        let mut index = if states.len() < FEW {
+            Index::whole(self.places.len(), list.len(), points)
+        } else {
+            let is_false = |fact: &Fact| *fact == Fact::Is(Value::Bool(false));
+            let assumed = env.facts.iter().map(is_false).list();
+            Index::of_region(self.places, list, state, &assumed, points, last.unwrap_or(0))
+        };
+        if let Some(last) = last {
             index.last = last;
             index.forks = deciding(self.places, &list[..=last], &self.states);
             for (place, forks) in self.places.iter().zip(&mut index.forks) {
