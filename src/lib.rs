@@ -179,8 +179,8 @@ pub mod __private {
     #[cfg(feature = "record")]
     pub use grafcet_core::{__recorded as recorded, __recorded_stub as recorded_stub};
     pub use grafcet_core::{
-        ActiveSteps, Chart, Delay, ForceError, Forceable, OnDelay, OutOfRange, Phase, Possible, ShortTime, Ticks,
-        description, earlier, phase, situation, sooner, until, until_change,
+        ActiveSteps, Chart, ForceError, Forceable, OutOfRange, Phase, Possible, Ticks, description, earlier, flags,
+        phase, situation, sooner,
     };
     pub use grafcet_macros::chart;
     pub use heapless;

@@ -1,6 +1,6 @@
 //! What the fields of a chart's state hold, for whoever reads a recorded state without the compiled chart.
 
-use crate::model::{ActionId, AssociationId, DelayId, EdgeId, MacroId, OutputId, Qualifier, StepId, VarId};
+use crate::model::{AssociationId, DelayId, EdgeId, MacroId, OutputId, Qualifier, StepId, VarId};
 
 /// What a field holds. A target of the action control (A31) is named by its first association.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -18,10 +18,8 @@ pub enum Held {
     First,
     /// Something that only `next_deadline` asks for.
     Deadline,
-    /// An output that is stored: its value, or where it is controlled, whether `S` has set it.
-    Output(OutputId),
     /// What an output was in the last cycle.
-    Last(OutputId),
+    Output(OutputId),
     /// A variable.
     Var(VarId),
     /// What `rising` and `falling` compare with.
@@ -36,8 +34,6 @@ pub enum Held {
     Phase(Vec<StepId>, u32),
     /// The same of a macro-step.
     MacroPhase(MacroId, u32),
-    /// What a delay has seen in the last cycle, how long that has been so, and what it says.
-    Delay(DelayId),
     /// What a delay has seen in the last cycle.
     DelayInput(DelayId),
     /// How long that has been so.
@@ -46,8 +42,6 @@ pub enum Held {
     DelayOutput(DelayId),
     /// S, SD, DS, SL.
     FlipFlop(AssociationId, Qualifier),
-    /// How long the input of L, D, SD, DS, SL has been true, and whether it was in the last cycle.
-    Timer(AssociationId, Qualifier),
     /// Whether the input of a timer was true in the last cycle.
     TimerInput(AssociationId, Qualifier),
     /// How long it has been.
@@ -58,14 +52,8 @@ pub enum Held {
     SetBy(AssociationId, Qualifier, Vec<AssociationId>),
     /// Whether a target was active in the last cycle.
     Active(AssociationId),
-    /// Whether N, L or D held it up.
-    Kept(AssociationId, Qualifier),
-    /// Whether an association with N, L or D did.
+    /// Whether an association with N, L or D held it up.
     KeptBy(AssociationId),
     /// The association that acted last, by its place among these.
     Acted(AssociationId, Vec<AssociationId>),
-    /// `grafcet`: whether an action was called continuously.
-    Called(ActionId),
-    /// By which association it was called last, by its place among these.
-    CalledBy(ActionId, Vec<AssociationId>),
 }

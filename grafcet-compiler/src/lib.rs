@@ -17,7 +17,7 @@ mod methods;
 pub mod model;
 pub mod parse;
 mod place;
-pub mod plan;
+mod plan;
 pub mod plant;
 pub mod program;
 mod qualifier;
@@ -30,7 +30,7 @@ use crate::list::{List, PushAll};
 
 use proc_macro2::TokenStream;
 
-use analysis::{Facts, Prover, Races};
+use analysis::{Facts, Prover};
 use diagnostic::{Diagnostic, Sink};
 use model::Model;
 use plan::Plan;
@@ -139,13 +139,12 @@ pub type Lower = for<'m> fn(&'m Model, &Facts<'_>) -> Result<program::Program<'m
 struct Sound<'s, 'm> {
     model: &'m Model,
     facts: &'s Facts<'m>,
-    races: Races,
 }
 
 impl<'m> Sound<'_, 'm> {
     /// What its code will look like, of one that is `recorded` or not. Who only looks for mistakes asks for none.
     fn plan(&self, recorded: bool) -> Plan<'m> {
-        Plan::of(self.model, self.facts, &self.races, recorded)
+        Plan::of(self.model, self.facts, recorded)
     }
 }
 
@@ -167,11 +166,11 @@ fn by(
     let complete = !chart.incomplete && !model.incomplete;
     let facts = (complete && sink.leaves_evolution()).then(|| Facts::of(&model));
     let sound = facts.as_ref().and_then(|facts| {
-        let races = check::evolution(&model, facts, wanted.prover, &mut sink);
+        check::evolution(&model, facts, wanted.prover, &mut sink);
         if !sink.has_more_than_claims() {
-            check::initial_values(&model, facts, &mut sink);
+            check::initial_values(&model, &mut sink);
         }
-        (!sink.has_more_than_claims()).then_some(Sound { model: &model, facts, races })
+        (!sink.has_more_than_claims()).then_some(Sound { model: &model, facts })
     });
     let items = match sound {
         Some(sound) => generate(&sound),

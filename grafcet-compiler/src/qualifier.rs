@@ -108,12 +108,6 @@ impl Qualifier {
         matches!(self, Self::S | Self::Sd | Self::Ds | Self::Sl)
     }
 
-    /// Whether its flip-flop is set as soon as the step is active, not after a delay: S, SD, SL.
-    #[must_use]
-    pub const fn stores_at_once(self) -> bool {
-        self.has_flip_flop() && !matches!(self, Self::Ds)
-    }
-
     /// Whether it sets or resets at once what stays: S and R.
     #[must_use]
     pub const fn sets_or_resets(self) -> bool {
@@ -136,12 +130,6 @@ impl Qualifier {
     #[must_use]
     pub const fn drives_q(self) -> bool {
         !matches!(self, Self::R) && !self.runs_once()
-    }
-
-    /// Whether its timer starts again with a step that is left and re-entered at once (A4s): L, D, DS.
-    #[must_use]
-    pub const fn restarts_with_step(self) -> bool {
-        matches!(self, Self::L | Self::D | Self::Ds)
     }
 
     /// Whether a `grafcet` acts at an instant under it (IEC 60848, stored action): S, R, P1, P0, `on`.

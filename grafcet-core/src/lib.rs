@@ -7,6 +7,8 @@ mod chart;
 pub mod description;
 #[doc(hidden)]
 pub mod fence;
+#[doc(hidden)]
+pub mod flags;
 #[cfg(any(feature = "fugit", feature = "embassy-time"))]
 mod instants;
 mod phase;
@@ -29,4 +31,4 @@ pub use possible::Possible;
 pub use possible::{ForceError, Forceable};
 pub use range::OutOfRange;
 pub use ticks::Ticks;
-pub use time::{Delay, OnDelay, ShortTime, earlier, phase, sooner, until, until_change};
+pub use time::{earlier, phase, sooner};

@@ -7,7 +7,7 @@ use std::fmt::{self, Write as _};
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::Model;
-use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_compiler::program::{Program, counted};
 
 use crate::aig::{Lit, Node};
 use crate::circuit::Circuit;
@@ -45,7 +45,7 @@ impl fmt::Display for NoCircuit {
 /// # Errors
 /// There is no circuit: why, as a sentence for the user.
 pub fn text(model: &Model, notation: Notation, largest: Option<usize>) -> Result<String, NoCircuit> {
-    let program = counted(model, &Facts::of(model), Encoding::Regions);
+    let program = counted(model, &Facts::of(model));
     let program = program.map_err(|why| NoCircuit::Refused(why.to_string()))?;
     let circuit = match largest {
         Some(largest) => Circuit::within(&program, largest),

@@ -3,7 +3,7 @@
 use grafcet_compiler::analysis::explore::Limits;
 use grafcet_compiler::analysis::{Facts, Question, Ruling};
 use grafcet_compiler::model::{Claim, Model};
-use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_compiler::program::{Program, counted};
 
 use crate::circuit::Circuit;
 use crate::home::decide_home;
@@ -35,7 +35,7 @@ const MORE: &str = "`cargo grafcet prove` searches as long as you let it, and a 
 #[must_use]
 pub fn rule(model: &Model, facts: &Facts<'_>, asked: &[Question]) -> Vec<Ruling> {
     let all = |why: &dyn std::fmt::Display| asked.iter().map(|_| Ruling::Open(why.to_string())).collect();
-    let program = match counted(model, facts, Encoding::Regions) {
+    let program = match counted(model, facts) {
         Ok(program) => program,
         Err(refused) => return all(&refused),
     };

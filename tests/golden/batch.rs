@@ -21,18 +21,22 @@ The situation takes 2 bytes: for each of these sets of steps, which of them is a
 pub struct Batch {
     region_0: __BatchRegion0,
     region_1: __BatchRegion1,
-    var_count: ::grafcet::__private::core::primitive::u16,
-    edge_0: ::grafcet::__private::bool,
-    now: ::grafcet::__private::Ticks,
+    count: ::grafcet::__private::core::primitive::u16,
+    reading: ::grafcet::__private::Ticks,
     settled: ::grafcet::__private::bool,
-    since_0: ::grafcet::__private::Ticks,
-    since_1: ::grafcet::__private::Ticks,
-    delay_0: ::grafcet::__private::Delay,
-    kept_q_heat: ::grafcet::__private::bool,
-    association_heat: ::grafcet::__private::u8,
-    timer_flag_d_pump: ::grafcet::__private::OnDelay,
-    memory_flag_sd_pump: ::grafcet::__private::bool,
-    timer_flag_sd_pump: ::grafcet::__private::OnDelay,
+    time_heat: ::grafcet::__private::Ticks,
+    since_idle: ::grafcet::__private::Ticks,
+    delay0_in: ::grafcet::__private::bool,
+    delay0_held: ::grafcet::__private::Ticks,
+    delay0_out: ::grafcet::__private::bool,
+    edge0_before: ::grafcet::__private::bool,
+    was_q_heat: ::grafcet::__private::bool,
+    acted_heat: ::grafcet::__private::u8,
+    held_heat_3_: ::grafcet::__private::bool,
+    held_stir_7_: ::grafcet::__private::bool,
+    sd_ff_pump: ::grafcet::__private::bool,
+    sd_tmr_pump_held: ::grafcet::__private::Ticks,
+    sd_tmr_pump_in: ::grafcet::__private::bool,
     params: BatchParams,
 }
 impl Batch {
@@ -54,18 +58,22 @@ impl Batch {
         Self {
             region_0: __BatchRegion0::INIT,
             region_1: __BatchRegion1::NONE,
-            var_count: 0,
-            edge_0: true,
-            now: ::grafcet::__private::Ticks::ZERO,
+            count: 0,
+            reading: ::grafcet::__private::Ticks::ZERO,
             settled: false,
-            since_0: ::grafcet::__private::Ticks::ZERO,
-            since_1: ::grafcet::__private::Ticks::ZERO,
-            delay_0: ::grafcet::__private::Delay::new(),
-            kept_q_heat: false,
-            association_heat: 0,
-            timer_flag_d_pump: ::grafcet::__private::OnDelay::new(),
-            memory_flag_sd_pump: false,
-            timer_flag_sd_pump: ::grafcet::__private::OnDelay::new(),
+            time_heat: ::grafcet::__private::Ticks::ZERO,
+            since_idle: ::grafcet::__private::Ticks::ZERO,
+            delay0_in: false,
+            delay0_held: ::grafcet::__private::Ticks::ZERO,
+            delay0_out: false,
+            edge0_before: false,
+            was_q_heat: false,
+            acted_heat: 0,
+            held_heat_3_: false,
+            held_stir_7_: false,
+            sd_ff_pump: false,
+            sd_tmr_pump_held: ::grafcet::__private::Ticks::ZERO,
+            sd_tmr_pump_in: false,
             params: params_,
         }
     }
@@ -295,7 +303,6 @@ enum __BatchRegion0 {
     Fill,
     Stir,
     Drain,
-    NONE,
     INIT,
 }
 #[automatically_derived]
@@ -306,7 +313,7 @@ impl ::grafcet::__private::core::fmt::Debug for __BatchRegion0 {
     ) -> ::grafcet::__private::core::fmt::Result {
         f_.write_str(
             ::grafcet::__private::name_at(
-                &["Idle", "Fill", "Stir", "Drain", "NONE", "INIT"],
+                &["Idle", "Fill", "Stir", "Drain", "INIT"],
                 *self as ::grafcet::__private::usize,
             ),
         )
@@ -426,300 +433,442 @@ impl Batch {
             lamp: false,
             speed: 0,
         };
-        let elapsed_ = if self.region_0 == __BatchRegion0::INIT {
-            ::grafcet::__private::Ticks::ZERO
+        let elapsed_: ::grafcet::__private::Ticks = now_.since(self.reading);
+        self.reading = now_;
+        self.time_heat = self.time_heat + elapsed_;
+        self.delay0_held = if inputs_.empty == self.delay0_in {
+            self.delay0_held + elapsed_
         } else {
-            now_.since(self.now)
+            ::grafcet::__private::Ticks::ZERO
         };
-        self.now = now_;
-        self.since_0 = self.since_0 + elapsed_;
-        self.since_1 = self.since_1 + elapsed_;
-        #[allow(unused_variables)]
-        let before_0_ = self.region_0;
-        #[allow(unused_variables)]
-        let before_1_ = self.region_1;
-        let mut rising_now_0_ = false;
-        let value_: ::grafcet::__private::bool = inputs_.start;
-        rising_now_0_ = value_ && !self.edge_0;
-        self.edge_0 = value_;
-        let input_ = inputs_.empty;
-        ::grafcet::__private::Delay::update(
-            &mut self.delay_0,
-            input_,
-            ::grafcet::__private::Ticks::new(1000u32),
-            ::grafcet::__private::Ticks::new(500u32),
-            elapsed_,
-        );
-        self.settled = true;
-        let since_before_0_ = self.since_0;
-        let since_before_1_ = self.since_1;
+        self.delay0_in = inputs_.empty;
         match self.region_0 {
-            __BatchRegion0::Idle => {
-                if {
-                    let rising_0_ = rising_now_0_;
-                    rising_0_
-                } {
-                    self.region_0 = __BatchRegion0::Fill;
-                    self.region_1 = __BatchRegion1::Heat;
-                    self.since_1 = ::grafcet::__private::Ticks::ZERO;
-                    self.settled = false;
-                }
-            }
-            __BatchRegion0::Stir => {
-                if {
-                    let since_3_ = self.since_0;
-                    let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
-                    let delay_0_ = ::grafcet::__private::Delay::output(&self.delay_0);
-                    since_3_ >= ticks_2000_ && delay_0_
-                } {
-                    self.region_0 = __BatchRegion0::Drain;
-                    self.settled = false;
-                }
-            }
-            __BatchRegion0::Drain => {
-                if {
-                    let level = inputs_.level;
-                    level == 0
-                } {
-                    self.region_0 = __BatchRegion0::Idle;
-                    self.settled = false;
-                }
-            }
             __BatchRegion0::INIT => {
+                self.delay0_held = ::grafcet::__private::Ticks::ZERO;
+                self.time_heat = ::grafcet::__private::Ticks::ZERO;
                 self.region_0 = __BatchRegion0::Idle;
-                self.settled = false;
-            }
-            _ => {
-                if self.region_0 == __BatchRegion0::Fill
-                    && self.region_1 == __BatchRegion1::Heat
-                    && {
-                        let full = inputs_.full;
-                        let elapsed_param_0_2_ = self.since_1 >= self.params.soak;
-                        full && elapsed_param_0_2_
-                    }
+                if ::grafcet::__private::Ticks::ZERO
+                    >= (if inputs_.empty {
+                        ::grafcet::__private::Ticks::new(1000u32)
+                    } else {
+                        ::grafcet::__private::Ticks::new(500u32)
+                    })
                 {
-                    self.region_1 = __BatchRegion1::NONE;
-                    self.region_0 = __BatchRegion0::Stir;
-                    self.since_0 = ::grafcet::__private::Ticks::ZERO;
-                    self.settled = false;
+                    self.delay0_out = inputs_.empty;
                 }
-            }
-        }
-        ::grafcet::__private::core::sync::atomic::compiler_fence(
-            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
-        );
-        #[allow(unused_variables)]
-        let after_0_ = self.region_0;
-        #[allow(unused_variables)]
-        let after_1_ = self.region_1;
-        if rising_now_0_ {
-            self.settled = false;
-        }
-        match self.region_0 {
-            __BatchRegion0::Idle => {
                 outputs_.lamp = true;
             }
-            __BatchRegion0::Stir | __BatchRegion0::Drain => {}
             _ => {
-                match self.region_0 {
-                    __BatchRegion0::Fill => {
-                        outputs_.valve = true;
-                    }
-                    _ => {}
+                if self.delay0_held
+                    >= (if inputs_.empty {
+                        ::grafcet::__private::Ticks::new(1000u32)
+                    } else {
+                        ::grafcet::__private::Ticks::new(500u32)
+                    })
+                {
+                    self.delay0_out = inputs_.empty;
                 }
-                match self.region_1 {
-                    __BatchRegion1::Heat => {
-                        if self.since_1 < ::grafcet::__private::Ticks::new(3000u32) {
+                let was_count_: ::grafcet::__private::core::primitive::u16 = self.count;
+                let mut opaque_ran_: ::grafcet::__private::bool = false;
+                let mut by_leaving_heat_: ::grafcet::__private::bool = false;
+                let mut on_heat_5__: ::grafcet::__private::bool = false;
+                let mut on_drain_10__: ::grafcet::__private::bool = false;
+                let mut on_drain_11__: ::grafcet::__private::bool = false;
+                let mut any_69__: ::grafcet::__private::bool = false;
+                match self.region_0 {
+                    __BatchRegion0::Idle => {
+                        if !self.edge0_before && inputs_.start {
+                            self.region_0 = __BatchRegion0::Fill;
+                            self.region_1 = __BatchRegion1::Heat;
+                            self.time_heat = ::grafcet::__private::Ticks::ZERO;
+                            outputs_.valve = true;
+                            on_heat_5__ = true;
                             outputs_.lamp = true;
+                            self.acted_heat = 3;
+                            self.held_heat_3_ = true;
+                            self.held_stir_7_ = false;
+                            self.count = {
+                                let count = self.count;
+                                count + 1
+                            };
+                            actions_
+                                .heat(
+                                    if self.was_q_heat {
+                                        ::grafcet::__private::Phase::Repeated
+                                    } else {
+                                        ::grafcet::__private::Phase::First
+                                    },
+                                    {
+                                        let hot = self.params.hot;
+                                        hot
+                                    },
+                                );
+                            outputs_.speed = 10;
+                            self.was_q_heat = true;
+                            any_69__ = true;
+                        } else {
+                            outputs_.lamp = true;
+                            by_leaving_heat_ = self.was_q_heat
+                                && (self.held_heat_3_ || self.held_stir_7_);
+                            self.held_heat_3_ = false;
+                            self.held_stir_7_ = false;
+                            if by_leaving_heat_ {
+                                match self.acted_heat {
+                                    3 => {
+                                        actions_
+                                            .heat(
+                                                ::grafcet::__private::Phase::Final,
+                                                {
+                                                    let hot = self.params.hot;
+                                                    hot
+                                                },
+                                            );
+                                        opaque_ran_ = true;
+                                    }
+                                    7 => {
+                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                        opaque_ran_ = true;
+                                    }
+                                    _ => {}
+                                }
+                            }
+                            if self.was_q_heat && !by_leaving_heat_ {
+                                match self.acted_heat {
+                                    3 => {
+                                        actions_
+                                            .heat(
+                                                ::grafcet::__private::Phase::Final,
+                                                {
+                                                    let hot = self.params.hot;
+                                                    hot
+                                                },
+                                            );
+                                        opaque_ran_ = true;
+                                    }
+                                    7 => {
+                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                        opaque_ran_ = true;
+                                    }
+                                    _ => {}
+                                }
+                            }
+                            self.was_q_heat = false;
+                            any_69__ = opaque_ran_;
                         }
                     }
-                    _ => {}
-                }
-            }
-        }
-        let mut flag_n_heat_ = false;
-        let mut left_flag_n_heat_ = false;
-        let mut number_n_heat_: ::grafcet::__private::u8 = 0;
-        let mut flag_n_pump_ = false;
-        let mut flag_r_pump_ = false;
-        let mut flag_d_pump_ = false;
-        let mut flag_sd_pump_ = false;
-        match self.region_1 {
-            __BatchRegion1::Heat => {
-                flag_n_heat_ = true;
-                number_n_heat_ = 0;
-                flag_d_pump_ = true;
-            }
-            _ => {}
-        }
-        match self.region_0 {
-            __BatchRegion0::Stir => {
-                flag_n_heat_ = true;
-                number_n_heat_ = 1;
-                flag_sd_pump_ = true;
-            }
-            __BatchRegion0::Drain => {
-                flag_r_pump_ = true;
-                if {
-                    let level = inputs_.level;
-                    level > 3
-                } {
-                    flag_n_pump_ = true;
-                }
-            }
-            _ => {}
-        }
-        let q_heat_ = !false && (flag_n_heat_);
-        if q_heat_ {
-            self.association_heat = number_n_heat_;
-        }
-        let done_flag_d_pump_ = ::grafcet::__private::OnDelay::update(
-            &mut self.timer_flag_d_pump,
-            flag_d_pump_,
-            false,
-            ::grafcet::__private::Ticks::new(1000u32),
-            elapsed_,
-        );
-        self.memory_flag_sd_pump = (self.memory_flag_sd_pump || flag_sd_pump_)
-            && !flag_r_pump_;
-        let done_flag_sd_pump_ = ::grafcet::__private::OnDelay::update(
-            &mut self.timer_flag_sd_pump,
-            self.memory_flag_sd_pump,
-            false,
-            ::grafcet::__private::Ticks::new(2000u32),
-            elapsed_,
-        );
-        let q_pump_ = !flag_r_pump_
-            && (flag_n_pump_ || done_flag_d_pump_ || done_flag_sd_pump_);
-        match before_1_ {
-            __BatchRegion1::Heat => {
-                if after_1_ != __BatchRegion1::Heat {
-                    left_flag_n_heat_ = true;
-                }
-            }
-            _ => {}
-        }
-        match before_0_ {
-            __BatchRegion0::Stir => {
-                if after_0_ != __BatchRegion0::Stir {
-                    left_flag_n_heat_ = true;
-                }
-            }
-            _ => {}
-        }
-        if self.kept_q_heat && !q_heat_ && ((left_flag_n_heat_ && !(flag_n_heat_))) {
-            self.settled = false;
-            match self.association_heat {
-                0 => {
-                    actions_
-                        .heat(
-                            ::grafcet::__private::Phase::Final,
-                            {
-                                let hot = self.params.hot;
-                                hot
-                            },
-                        );
-                }
-                _ => {
-                    actions_.heat(::grafcet::__private::Phase::Final, 40);
-                }
-            }
-        }
-        match before_0_ {
-            __BatchRegion0::Stir => {
-                if after_0_ != __BatchRegion0::Stir {
-                    self.settled = false;
-                    {
-                        #[allow(unused_mut, unused_variables)]
-                        let mut count = self.var_count;
-                        #[allow(unused_braces)]
+                    __BatchRegion0::Stir => {
+                        if ({
+                            let since_3_ = now_.since(self.since_idle);
+                            let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
+                            since_3_ >= ticks_2000_
+                        }) && self.delay0_out
                         {
-                            if count > 3 {
-                                count = 0;
+                            self.region_0 = __BatchRegion0::Drain;
+                            on_drain_10__ = true;
+                            on_drain_11__ = {
+                                let level = inputs_.level;
+                                level > 3
+                            };
+                            by_leaving_heat_ = self.was_q_heat
+                                && (self.held_heat_3_ || self.held_stir_7_);
+                            self.held_heat_3_ = false;
+                            self.held_stir_7_ = false;
+                            self.sd_ff_pump = false;
+                            if by_leaving_heat_ {
+                                match self.acted_heat {
+                                    3 => {
+                                        actions_
+                                            .heat(
+                                                ::grafcet::__private::Phase::Final,
+                                                {
+                                                    let hot = self.params.hot;
+                                                    hot
+                                                },
+                                            );
+                                    }
+                                    7 => {
+                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                    }
+                                    _ => {}
+                                }
+                            }
+                            {
+                                #[allow(unused_mut, unused_variables)]
+                                let mut count = self.count;
+                                #[allow(unused_braces)]
+                                {
+                                    if count > 3 {
+                                        count = 0;
+                                    }
+                                }
+                                self.count = count;
+                            }
+                            if self.was_q_heat && !by_leaving_heat_ {
+                                match self.acted_heat {
+                                    3 => {
+                                        actions_
+                                            .heat(
+                                                ::grafcet::__private::Phase::Final,
+                                                {
+                                                    let hot = self.params.hot;
+                                                    hot
+                                                },
+                                            );
+                                    }
+                                    7 => {
+                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                    }
+                                    _ => {}
+                                }
+                            }
+                            self.was_q_heat = false;
+                            any_69__ = true;
+                        } else {
+                            self.acted_heat = 7;
+                            self.held_heat_3_ = false;
+                            self.held_stir_7_ = true;
+                            self.sd_ff_pump = true;
+                            actions_
+                                .heat(
+                                    if self.was_q_heat {
+                                        ::grafcet::__private::Phase::Repeated
+                                    } else {
+                                        ::grafcet::__private::Phase::First
+                                    },
+                                    40,
+                                );
+                            self.was_q_heat = true;
+                            if now_.since(self.since_idle)
+                                >= ::grafcet::__private::Ticks::new(2000u32)
+                            {
+                                self.since_idle = now_
+                                    .since(::grafcet::__private::Ticks::new(2000u32));
+                            }
+                            any_69__ = true;
+                        }
+                    }
+                    __BatchRegion0::Drain => {
+                        if {
+                            let level = inputs_.level;
+                            level == 0
+                        } {
+                            self.region_0 = __BatchRegion0::Idle;
+                            outputs_.lamp = true;
+                            by_leaving_heat_ = self.was_q_heat
+                                && (self.held_heat_3_ || self.held_stir_7_);
+                            self.held_heat_3_ = false;
+                            self.held_stir_7_ = false;
+                            if by_leaving_heat_ {
+                                match self.acted_heat {
+                                    3 => {
+                                        actions_
+                                            .heat(
+                                                ::grafcet::__private::Phase::Final,
+                                                {
+                                                    let hot = self.params.hot;
+                                                    hot
+                                                },
+                                            );
+                                    }
+                                    7 => {
+                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                    }
+                                    _ => {}
+                                }
+                            }
+                            if self.was_q_heat && !by_leaving_heat_ {
+                                match self.acted_heat {
+                                    3 => {
+                                        actions_
+                                            .heat(
+                                                ::grafcet::__private::Phase::Final,
+                                                {
+                                                    let hot = self.params.hot;
+                                                    hot
+                                                },
+                                            );
+                                    }
+                                    7 => {
+                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                    }
+                                    _ => {}
+                                }
+                            }
+                            self.was_q_heat = false;
+                            any_69__ = true;
+                        } else {
+                            on_drain_10__ = true;
+                            on_drain_11__ = {
+                                let level = inputs_.level;
+                                level > 3
+                            };
+                            by_leaving_heat_ = self.was_q_heat
+                                && (self.held_heat_3_ || self.held_stir_7_);
+                            self.held_heat_3_ = false;
+                            self.held_stir_7_ = false;
+                            self.sd_ff_pump = false;
+                            if by_leaving_heat_ {
+                                match self.acted_heat {
+                                    3 => {
+                                        actions_
+                                            .heat(
+                                                ::grafcet::__private::Phase::Final,
+                                                {
+                                                    let hot = self.params.hot;
+                                                    hot
+                                                },
+                                            );
+                                        opaque_ran_ = true;
+                                    }
+                                    7 => {
+                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                        opaque_ran_ = true;
+                                    }
+                                    _ => {}
+                                }
+                            }
+                            if self.was_q_heat && !by_leaving_heat_ {
+                                match self.acted_heat {
+                                    3 => {
+                                        actions_
+                                            .heat(
+                                                ::grafcet::__private::Phase::Final,
+                                                {
+                                                    let hot = self.params.hot;
+                                                    hot
+                                                },
+                                            );
+                                        opaque_ran_ = true;
+                                    }
+                                    7 => {
+                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                        opaque_ran_ = true;
+                                    }
+                                    _ => {}
+                                }
+                            }
+                            self.was_q_heat = false;
+                            any_69__ = opaque_ran_;
+                        }
+                    }
+                    _ => {
+                        match self.region_1 {
+                            __BatchRegion1::Heat => {
+                                if inputs_.full && self.time_heat >= self.params.soak {
+                                    self.region_1 = __BatchRegion1::NONE;
+                                    self.region_0 = __BatchRegion0::Stir;
+                                    self.since_idle = now_;
+                                    self.acted_heat = 7;
+                                    self.held_heat_3_ = false;
+                                    self.held_stir_7_ = true;
+                                    self.sd_ff_pump = true;
+                                    actions_
+                                        .heat(
+                                            if self.was_q_heat {
+                                                ::grafcet::__private::Phase::Repeated
+                                            } else {
+                                                ::grafcet::__private::Phase::First
+                                            },
+                                            40,
+                                        );
+                                    self.was_q_heat = true;
+                                    any_69__ = true;
+                                } else {
+                                    outputs_.valve = true;
+                                    on_heat_5__ = true;
+                                    outputs_.lamp = self.time_heat
+                                        < ::grafcet::__private::Ticks::new(3000u32);
+                                    self.acted_heat = 3;
+                                    self.held_heat_3_ = true;
+                                    self.held_stir_7_ = false;
+                                    actions_
+                                        .heat(
+                                            if self.was_q_heat {
+                                                ::grafcet::__private::Phase::Repeated
+                                            } else {
+                                                ::grafcet::__private::Phase::First
+                                            },
+                                            {
+                                                let hot = self.params.hot;
+                                                hot
+                                            },
+                                        );
+                                    outputs_.speed = 10;
+                                    self.was_q_heat = true;
+                                    any_69__ = true;
+                                }
+                            }
+                            _ => {
+                                outputs_.valve = true;
+                                by_leaving_heat_ = self.was_q_heat
+                                    && (self.held_heat_3_ || self.held_stir_7_);
+                                self.held_heat_3_ = false;
+                                self.held_stir_7_ = false;
+                                if by_leaving_heat_ {
+                                    match self.acted_heat {
+                                        3 => {
+                                            actions_
+                                                .heat(
+                                                    ::grafcet::__private::Phase::Final,
+                                                    {
+                                                        let hot = self.params.hot;
+                                                        hot
+                                                    },
+                                                );
+                                            opaque_ran_ = true;
+                                        }
+                                        7 => {
+                                            actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                            opaque_ran_ = true;
+                                        }
+                                        _ => {}
+                                    }
+                                }
+                                if self.was_q_heat && !by_leaving_heat_ {
+                                    match self.acted_heat {
+                                        3 => {
+                                            actions_
+                                                .heat(
+                                                    ::grafcet::__private::Phase::Final,
+                                                    {
+                                                        let hot = self.params.hot;
+                                                        hot
+                                                    },
+                                                );
+                                            opaque_ran_ = true;
+                                        }
+                                        7 => {
+                                            actions_.heat(::grafcet::__private::Phase::Final, 40);
+                                            opaque_ran_ = true;
+                                        }
+                                        _ => {}
+                                    }
+                                }
+                                self.was_q_heat = false;
+                                any_69__ = opaque_ran_;
                             }
                         }
-                        self.var_count = count;
                     }
                 }
-            }
-            _ => {}
-        }
-        match self.region_0 {
-            __BatchRegion0::Fill => {
-                if before_0_ != __BatchRegion0::Fill {
-                    self.settled = false;
-                    self.var_count = {
-                        let count = self.var_count;
-                        count + 1
-                    };
-                }
-            }
-            _ => {}
-        }
-        if q_heat_ {
-            if self.kept_q_heat {
-                self.settled = false;
-                match self.association_heat {
-                    0 => {
-                        actions_
-                            .heat(
-                                ::grafcet::__private::Phase::Repeated,
-                                {
-                                    let hot = self.params.hot;
-                                    hot
-                                },
-                            );
-                    }
-                    _ => {
-                        actions_.heat(::grafcet::__private::Phase::Repeated, 40);
-                    }
-                }
-            } else {
-                self.settled = false;
-                match self.association_heat {
-                    0 => {
-                        actions_
-                            .heat(
-                                ::grafcet::__private::Phase::First,
-                                {
-                                    let hot = self.params.hot;
-                                    hot
-                                },
-                            );
-                    }
-                    _ => {
-                        actions_.heat(::grafcet::__private::Phase::First, 40);
-                    }
-                }
-            }
-        } else if self.kept_q_heat && !q_heat_
-            && !((left_flag_n_heat_ && !(flag_n_heat_)))
-        {
-            self.settled = false;
-            match self.association_heat {
-                0 => {
-                    actions_
-                        .heat(
-                            ::grafcet::__private::Phase::Final,
-                            {
-                                let hot = self.params.hot;
-                                hot
-                            },
-                        );
-                }
-                _ => {
-                    actions_.heat(::grafcet::__private::Phase::Final, 40);
-                }
+                self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
+                    self.sd_tmr_pump_held + elapsed_
+                } else {
+                    ::grafcet::__private::Ticks::ZERO
+                };
+                self.sd_tmr_pump_in = self.sd_ff_pump;
+                any_69__ = any_69__ || self.count != was_count_;
+                outputs_.pump = !on_drain_10__
+                    && (on_drain_11__
+                        || on_heat_5__
+                            && self.time_heat
+                                >= ::grafcet::__private::Ticks::new(1000u32)
+                        || self.sd_ff_pump
+                            && self.sd_tmr_pump_held
+                                >= ::grafcet::__private::Ticks::new(2000u32));
+                self.settled = !any_69__;
             }
         }
-        self.kept_q_heat = q_heat_;
-        outputs_.pump = q_pump_;
-        match self.region_1 {
-            __BatchRegion1::Heat => {
-                outputs_.speed = 10;
-            }
-            _ => {}
-        }
+        self.edge0_before = inputs_.start;
         outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
@@ -815,58 +964,72 @@ impl Batch {
         &self,
     ) -> ::grafcet::__private::Option<::grafcet::__private::Ticks> {
         if !self.settled {
-            return ::grafcet::__private::Option::Some(self.now);
+            return ::grafcet::__private::Option::Some(self.reading);
         }
         let mut soonest_ = ::grafcet::__private::Option::None;
-        if self.region_1 == __BatchRegion1::Heat {
+        if self.region_1 == __BatchRegion1::Heat
+            && self.time_heat < ::grafcet::__private::Ticks::new(1000u32)
+        {
             soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                ::grafcet::__private::until(
-                    self.since_1,
-                    ::grafcet::__private::Ticks::new(3000u32),
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(1000u32) - self.time_heat,
                 ),
             );
         }
-        if self.region_1 == __BatchRegion1::Heat {
+        if self.region_1 == __BatchRegion1::Heat
+            && self.time_heat < ::grafcet::__private::Ticks::new(3000u32)
+        {
             soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                ::grafcet::__private::until(self.since_1, self.params.soak),
-            );
-        }
-        if self.region_0 == __BatchRegion0::Stir {
-            soonest_ = ::grafcet::__private::sooner(
-                soonest_,
-                ::grafcet::__private::until(
-                    self.since_0,
-                    ::grafcet::__private::Ticks::new(2000u32),
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(3000u32) - self.time_heat,
                 ),
             );
         }
-        soonest_ = ::grafcet::__private::sooner(
-            soonest_,
-            ::grafcet::__private::Delay::remaining(
-                &self.delay_0,
-                ::grafcet::__private::Ticks::new(1000u32),
-                ::grafcet::__private::Ticks::new(500u32),
-            ),
-        );
-        soonest_ = ::grafcet::__private::sooner(
-            soonest_,
-            ::grafcet::__private::OnDelay::remaining(
-                &self.timer_flag_d_pump,
-                ::grafcet::__private::Ticks::new(1000u32),
-            ),
-        );
-        soonest_ = ::grafcet::__private::sooner(
-            soonest_,
-            ::grafcet::__private::OnDelay::remaining(
-                &self.timer_flag_sd_pump,
-                ::grafcet::__private::Ticks::new(2000u32),
-            ),
-        );
+        if self.region_1 == __BatchRegion1::Heat && self.time_heat < self.params.soak {
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
+                ::grafcet::__private::Option::Some(self.params.soak - self.time_heat),
+            );
+        }
+        if self.region_0 == __BatchRegion0::Stir
+            && self.reading.since(self.since_idle)
+                < ::grafcet::__private::Ticks::new(2000u32)
+        {
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(2000u32)
+                        - self.reading.since(self.since_idle),
+                ),
+            );
+        }
+        if self.delay0_in != self.delay0_out {
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
+                ::grafcet::__private::Option::Some(
+                    (if self.delay0_in {
+                        ::grafcet::__private::Ticks::new(1000u32)
+                    } else {
+                        ::grafcet::__private::Ticks::new(500u32)
+                    }) - self.delay0_held,
+                ),
+            );
+        }
+        if self.sd_tmr_pump_in
+            && self.sd_tmr_pump_held < ::grafcet::__private::Ticks::new(2000u32)
+        {
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(2000u32) - self.sd_tmr_pump_held,
+                ),
+            );
+        }
         match soonest_ {
             ::grafcet::__private::Option::Some(time_) => {
-                ::grafcet::__private::Option::Some(self.now.after(time_))
+                ::grafcet::__private::Option::Some(self.reading.after(time_))
             }
             ::grafcet::__private::Option::None => ::grafcet::__private::Option::None,
         }
@@ -900,7 +1063,7 @@ impl Batch {
     /// The variables, as the last cycle has left them.
     #[must_use]
     pub fn vars(&self) -> BatchVars {
-        BatchVars { count: self.var_count }
+        BatchVars { count: self.count }
     }
 }
 impl ::grafcet::__private::Chart for Batch {

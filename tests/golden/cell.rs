@@ -23,21 +23,21 @@ pub struct Cell {
     region_0: __CellRegion0Mark,
     region_1: __CellRegion1,
     region_2: __CellRegion2,
-    out_clamp: ::grafcet::__private::core::primitive::bool,
-    var_n: ::grafcet::__private::core::primitive::u16,
-    edge_0: ::grafcet::__private::bool,
+    clamp: ::grafcet::__private::core::primitive::bool,
+    n: ::grafcet::__private::core::primitive::u16,
+    edge0_before: ::grafcet::__private::bool,
 }
 impl Cell {
     ///A chart `Cell` in its initial situation; its activation belongs to the first cycle.
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            region_0: __CellRegion0Mark::of(__CellRegion0::Ready),
+            region_0: __CellRegion0Mark::of(__CellRegion0::INIT),
             region_1: __CellRegion1::Idle,
             region_2: __CellRegion2::NONE,
-            out_clamp: false,
-            var_n: 0,
-            edge_0: true,
+            clamp: false,
+            n: 0,
+            edge0_before: false,
         }
     }
 }
@@ -244,6 +244,7 @@ enum __CellRegion0 {
     Ready,
     Stopped,
     Restart,
+    INIT,
 }
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
@@ -253,7 +254,7 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
     ) -> ::grafcet::__private::core::fmt::Result {
         f_.write_str(
             ::grafcet::__private::name_at(
-                &["Ready", "Stopped", "Restart"],
+                &["Ready", "Stopped", "Restart", "INIT"],
                 *self as ::grafcet::__private::usize,
             ),
         )
@@ -275,12 +276,13 @@ impl __CellRegion0Mark {
     }
     const fn state(self) -> __CellRegion0 {
         let number_ = self.0 & 3u8;
-        if number_ >= 2u8 {
-            __CellRegion0::Restart
+        if number_ >= 3u8 {
+            __CellRegion0::INIT
         } else {
             match number_ {
                 0u8 => __CellRegion0::Ready,
-                _ => __CellRegion0::Stopped,
+                1u8 => __CellRegion0::Stopped,
+                _ => __CellRegion0::Restart,
             }
         }
     }
@@ -427,162 +429,183 @@ impl Cell {
         #[cfg(doc)]
         inputs: &CellInputs,
     ) -> CellOutputs {
-        let mut outputs_ = CellOutputs {
-            belt: false,
-            clamp: false,
-            lamp: false,
-            bell: false,
+        let mut outputs_ = const {
+            CellOutputs {
+                belt: false,
+                clamp: false,
+                lamp: false,
+                bell: false,
+            }
         };
-        self.region_0 = self.region_0.unmarked();
-        let mut evolutions_left_: ::grafcet::__private::u32 = 20;
-        let mut rising_now_0_ = false;
+        let first_: ::grafcet::__private::bool = self.region_0.state()
+            == __CellRegion0::INIT;
+        if first_ {
+            self.region_0 = self.region_0.with(__CellRegion0::Ready);
+        }
+        let edge0_now_: ::grafcet::__private::bool = inputs_.part;
+        if first_ {
+            self.edge0_before = edge0_now_;
+        }
+        let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
+        let mut clears_auto_idle_: ::grafcet::__private::bool = false;
+        let mut evolutions_: ::grafcet::__private::u32 = 0;
         loop {
-            let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
-            let before_0_ = self.region_0.state();
-            let before_1_ = self.region_1;
-            let before_2_ = self.region_2;
-            let mut after_0_ = before_0_;
-            let mut after_1_ = before_1_;
-            let mut after_2_ = before_2_;
-            let edge_before_0_ = self.edge_0;
-            let value_: ::grafcet::__private::bool = inputs_.part;
-            rising_now_0_ = value_ && !self.edge_0;
-            self.edge_0 = value_;
-            let mut next_n_ = self.var_n;
-            match before_0_ {
+            let mut moves_32__: ::grafcet::__private::bool = false;
+            let was_state_ready_: __CellRegion0 = self.region_0.state();
+            let was_state_idle_: __CellRegion1 = self.region_1;
+            let was_state_count_: __CellRegion2 = self.region_2;
+            let mut next_clamp_: ::grafcet::__private::bool = self.clamp;
+            let mut next_n_: ::grafcet::__private::core::primitive::u16 = self.n;
+            match self.region_0.state() {
                 __CellRegion0::Ready => {
                     if inputs_.estop {
-                        after_0_ = __CellRegion0::Stopped;
+                        self.region_0 = self.region_0.with(__CellRegion0::Stopped);
+                        moves_32__ = true;
+                        clears_auto_idle_ = false;
+                        self.region_1 = __CellRegion1::NONE;
+                        self.region_2 = __CellRegion2::NONE;
+                        if was_state_count_ == __CellRegion2::Count && !self.edge0_before
+                            && edge0_now_
+                        {
+                            next_n_ = {
+                                let n = self.n;
+                                n + 1
+                            };
+                        }
+                    } else {
+                        match self.region_1 {
+                            __CellRegion1::Idle => {
+                                if inputs_.start {
+                                    self.region_1 = __CellRegion1::Feed;
+                                    clears_auto_idle_ = false;
+                                    moves_32__ = true;
+                                } else {
+                                    if inputs_.auto {
+                                        self.region_1 = __CellRegion1::Auto;
+                                        clears_auto_idle_ = false;
+                                        moves_32__ = true;
+                                        self.region_2 = __CellRegion2::Count;
+                                    } else {
+                                        clears_auto_idle_ = false;
+                                    }
+                                }
+                            }
+                            __CellRegion1::Feed => {
+                                if inputs_.full {
+                                    self.region_1 = __CellRegion1::Close;
+                                    clears_auto_idle_ = false;
+                                    next_clamp_ = true;
+                                    moves_32__ = true;
+                                } else {
+                                    clears_auto_idle_ = false;
+                                }
+                            }
+                            __CellRegion1::Close => {
+                                if inputs_.clamped {
+                                    self.region_1 = __CellRegion1::Open;
+                                    clears_auto_idle_ = false;
+                                    next_clamp_ = false;
+                                    moves_32__ = true;
+                                } else {
+                                    clears_auto_idle_ = false;
+                                }
+                            }
+                            __CellRegion1::Open => {
+                                if !inputs_.clamped {
+                                    self.region_1 = __CellRegion1::Idle;
+                                    clears_auto_idle_ = false;
+                                    moves_32__ = true;
+                                } else {
+                                    clears_auto_idle_ = false;
+                                }
+                            }
+                            __CellRegion1::Auto => {
+                                if ({
+                                    let n = self.n;
+                                    n >= 2
+                                }) && !inputs_.part
+                                {
+                                    clears_auto_idle_ = true;
+                                    self.region_1 = __CellRegion1::Idle;
+                                    moves_32__ = true;
+                                    self.region_2 = __CellRegion2::NONE;
+                                    if !self.edge0_before && edge0_now_ {
+                                        next_n_ = {
+                                            let n = self.n;
+                                            n + 1
+                                        };
+                                    }
+                                } else {
+                                    clears_auto_idle_ = false;
+                                    if !self.edge0_before && edge0_now_ {
+                                        next_n_ = {
+                                            let n = self.n;
+                                            n + 1
+                                        };
+                                    }
+                                }
+                            }
+                            _ => {}
+                        }
                     }
                 }
                 __CellRegion0::Stopped => {
                     if !inputs_.estop {
-                        after_0_ = __CellRegion0::Restart;
+                        self.region_0 = self.region_0.with(__CellRegion0::Restart);
+                        moves_32__ = true;
+                        self.region_1 = __CellRegion1::Idle;
+                        clears_auto_idle_ = false;
+                    } else {
+                        clears_auto_idle_ = false;
                     }
                 }
                 __CellRegion0::Restart => {
-                    after_0_ = __CellRegion0::Ready;
+                    self.region_0 = self.region_0.with(__CellRegion0::Ready);
+                    moves_32__ = true;
+                    clears_auto_idle_ = false;
                 }
+                _ => {}
             }
-            if after_0_ == __CellRegion0::Restart {
-                after_1_ = __CellRegion1::Idle;
-            } else if after_0_ == __CellRegion0::Stopped {
-                after_1_ = __CellRegion1::NONE;
-            } else if !((before_0_ == __CellRegion0::Stopped)
-                || (before_0_ == __CellRegion0::Restart))
-            {
-                match before_1_ {
-                    __CellRegion1::Idle => {
-                        if inputs_.start {
-                            after_1_ = __CellRegion1::Feed;
-                        } else if {
-                            let value_ = inputs_.auto && !inputs_.start;
-                            value_
-                        } {
-                            after_1_ = __CellRegion1::Auto;
-                        } else {}
-                    }
+            if clears_auto_idle_ {
+                next_n_ = 0;
+            }
+            moves_32__ = moves_32__ || self.n != next_n_;
+            if !moves_32__ {
+                self.region_0 = self.region_0.unmarked();
+                break;
+            }
+            if evolutions_ == 20 {
+                self.region_0 = self.region_0.marked();
+                self.region_0 = self.region_0.with(was_state_ready_);
+                self.region_1 = was_state_idle_;
+                self.region_2 = was_state_count_;
+                break;
+            }
+            self.clamp = next_clamp_;
+            self.n = next_n_;
+            self.edge0_before = edge0_now_;
+            evolutions_ = evolutions_.wrapping_add(1);
+        }
+        ::grafcet::__private::core::sync::atomic::compiler_fence(
+            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
+        );
+        if !self.region_0.is_marked() {
+            self.edge0_before = edge0_now_;
+        }
+        match self.region_0.state() {
+            __CellRegion0::Stopped => {
+                outputs_.lamp = true;
+            }
+            _ => {
+                match self.region_1 {
                     __CellRegion1::Feed => {
-                        if inputs_.full {
-                            after_1_ = __CellRegion1::Close;
-                        }
-                    }
-                    __CellRegion1::Close => {
-                        if inputs_.clamped {
-                            after_1_ = __CellRegion1::Open;
-                        }
-                    }
-                    __CellRegion1::Open => {
-                        if !inputs_.clamped {
-                            after_1_ = __CellRegion1::Idle;
-                        }
-                    }
-                    __CellRegion1::Auto => {
-                        if {
-                            let n = self.var_n;
-                            let part = inputs_.part;
-                            n >= 2 && !part
-                        } {
-                            next_n_ = 0;
-                            after_1_ = __CellRegion1::Idle;
-                        }
+                        outputs_.belt = true;
                     }
                     _ => {}
                 }
             }
-            if !(after_1_ == __CellRegion1::Auto) {
-                after_2_ = __CellRegion2::NONE;
-            } else if !(before_1_ == __CellRegion1::Auto) {
-                after_2_ = __CellRegion2::Count;
-            } else {}
-            match before_2_ {
-                __CellRegion2::Count => {
-                    if {
-                        let rising_0_ = rising_now_0_;
-                        rising_0_
-                    } {
-                        next_n_ = {
-                            let n = self.var_n;
-                            n + 1
-                        };
-                    }
-                }
-                _ => {}
-            }
-            if after_0_ == before_0_ && after_1_ == before_1_ && after_2_ == before_2_
-                && next_n_ == self.var_n
-            {
-                break;
-            }
-            if evolutions_left_ == 0 {
-                self.edge_0 = edge_before_0_;
-                self.region_0 = self.region_0.marked();
-                break;
-            }
-            evolutions_left_ -= 1;
-            match after_1_ {
-                __CellRegion1::Close => {
-                    if before_1_ != __CellRegion1::Close {
-                        self.out_clamp = true;
-                    }
-                }
-                __CellRegion1::Open => {
-                    if before_1_ != __CellRegion1::Open {
-                        self.out_clamp = false;
-                    }
-                }
-                _ => {}
-            }
-            self.var_n = next_n_;
-            self.region_0 = __CellRegion0Mark::of(after_0_);
-            self.region_1 = after_1_;
-            self.region_2 = after_2_;
         }
-        let after_0_ = self.region_0.state();
-        let after_1_ = self.region_1;
-        let after_2_ = self.region_2;
-        match after_0_ {
-            __CellRegion0::Stopped => {
-                outputs_.lamp = true;
-            }
-            _ => {}
-        }
-        match after_1_ {
-            __CellRegion1::Feed => {
-                outputs_.belt = true;
-            }
-            __CellRegion1::Auto => {
-                if {
-                    let macro_active_0_ = (after_1_ == __CellRegion1::Close)
-                        || (after_1_ == __CellRegion1::Open);
-                    macro_active_0_
-                } {
-                    outputs_.bell = true;
-                }
-            }
-            _ => {}
-        }
-        outputs_.clamp = self.out_clamp;
+        outputs_.clamp = self.clamp;
         outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
@@ -600,7 +623,10 @@ impl Cell {
         step: CellStep,
     ) -> ::grafcet::__private::bool {
         match step_ {
-            CellStep::Ready => self.region_0.state() == __CellRegion0::Ready,
+            CellStep::Ready => {
+                self.region_0.state() == __CellRegion0::Ready
+                    || self.region_0.state() == __CellRegion0::INIT
+            }
             CellStep::Stopped => self.region_0.state() == __CellRegion0::Stopped,
             CellStep::Restart => self.region_0.state() == __CellRegion0::Restart,
             CellStep::Idle => self.region_1 == __CellRegion1::Idle,
@@ -615,7 +641,9 @@ impl Cell {
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<CellStep, 3> {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
-        if self.region_0.state() == __CellRegion0::Ready {
+        if self.region_0.state() == __CellRegion0::Ready
+            || self.region_0.state() == __CellRegion0::INIT
+        {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Ready,
@@ -675,7 +703,10 @@ impl Cell {
     #[must_use]
     pub const fn situation(&self) -> CellSituation {
         CellSituation {
-            region_0: self.region_0.state(),
+            region_0: match self.region_0.state() {
+                __CellRegion0::INIT => __CellRegion0::Ready,
+                entered_ => entered_,
+            },
             region_1: self.region_1,
             region_2: self.region_2,
         }
@@ -715,7 +746,7 @@ impl Cell {
     /// The variables, as the last cycle has left them.
     #[must_use]
     pub fn vars(&self) -> CellVars {
-        CellVars { n: self.var_n }
+        CellVars { n: self.n }
     }
 }
 impl ::grafcet::__private::Chart for Cell {

@@ -17,19 +17,17 @@ The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps 
 )]
 pub struct Stations {
     situation: [::grafcet::__private::u8; 1usize],
-    out_motor: ::grafcet::__private::core::primitive::bool,
-    now: ::grafcet::__private::Ticks,
-    since_5: ::grafcet::__private::Ticks,
+    motor: ::grafcet::__private::core::primitive::bool,
+    since_wait: ::grafcet::__private::Ticks,
 }
 impl Stations {
     ///A chart `Stations` in its initial situation; its activation belongs to the first cycle.
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            situation: [64u8],
-            out_motor: false,
-            now: ::grafcet::__private::Ticks::ZERO,
-            since_5: ::grafcet::__private::Ticks::ZERO,
+            situation: [65u8],
+            motor: false,
+            since_wait: ::grafcet::__private::Ticks::ZERO,
         }
     }
 }
@@ -186,6 +184,81 @@ impl ::grafcet::__private::core::fmt::Display for StationsTransition {
         f_.pad((*self).name())
     }
 }
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+#[doc(hidden)]
+enum __StationsRegion0 {
+    Wait,
+    Drill,
+    Drilled,
+    Out,
+    INIT,
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __StationsRegion0 {
+    fn fmt(
+        &self,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f_.write_str(
+            ::grafcet::__private::name_at(
+                &["Wait", "Drill", "Drilled", "Out", "INIT"],
+                *self as ::grafcet::__private::usize,
+            ),
+        )
+    }
+}
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+#[doc(hidden)]
+enum __StationsRegion1 {
+    Test,
+    Tested,
+    NONE,
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __StationsRegion1 {
+    fn fmt(
+        &self,
+        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f_.write_str(
+            ::grafcet::__private::name_at(
+                &["Test", "Tested", "NONE"],
+                *self as ::grafcet::__private::usize,
+            ),
+        )
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Stations {
+    const fn region_0_(&self) -> __StationsRegion0 {
+        if self.situation[0usize] & 64u8 != 0 {
+            return __StationsRegion0::INIT;
+        }
+        match self.situation[0usize] & 7u8 {
+            1u8 => __StationsRegion0::Wait,
+            2u8 => __StationsRegion0::Drill,
+            4u8 => __StationsRegion0::Drilled,
+            _ => __StationsRegion0::Out,
+        }
+    }
+    const fn region_1_(&self) -> __StationsRegion1 {
+        match self.situation[0usize] & 24u8 {
+            8u8 => __StationsRegion1::Test,
+            16u8 => __StationsRegion1::Tested,
+            _ => __StationsRegion1::NONE,
+        }
+    }
+}
 ///A situation of [`Stations`]: which steps are active.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -247,6 +320,7 @@ impl ::grafcet::__private::core::fmt::Display for StationsSituation {
     }
 }
 impl Stations {
+    #[allow(unused_assignments)]
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     pub fn cycle(
@@ -265,97 +339,117 @@ impl Stations {
         let now_: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
             now_,
         );
-        let mut outputs_ = StationsOutputs {
-            drill: false,
-            test: false,
-            motor: false,
+        let mut outputs_ = const {
+            StationsOutputs {
+                drill: false,
+                test: false,
+                motor: false,
+            }
         };
-        let elapsed_ = now_.since(self.now);
-        self.now = now_;
-        self.since_5 = self.since_5 + elapsed_;
-        if self.situation[0usize] & 64u8 != 0 {
-            self.situation = [1u8];
+        let before_0_ = self.region_0_();
+        let mut region_0_ = before_0_;
+        let before_1_ = self.region_1_();
+        let mut region_1_ = before_1_;
+        let first_: ::grafcet::__private::bool = region_0_ == __StationsRegion0::INIT;
+        if first_ {
+            region_0_ = __StationsRegion0::Wait;
         }
+        let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
         loop {
-            let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
-            let before_ = self.situation;
-            let mut after_ = before_;
-            let mut moved_ = false;
-            if before_[0usize] & 47u8 != 0 {
-                if before_[0usize] & 1u8 != 0 {
+            let mut moves_21__: ::grafcet::__private::bool = false;
+            match region_0_ {
+                __StationsRegion0::Wait => {
                     if inputs_.part {
-                        after_[0usize] &= !1u8;
-                        after_[0usize] |= 2u8;
-                        after_[0usize] |= 8u8;
-                        moved_ = true;
+                        region_0_ = __StationsRegion0::Drill;
+                        region_1_ = __StationsRegion1::Test;
+                        moves_21__ = true;
+                        self.motor = true;
                     }
                 }
-                if before_[0usize] & 2u8 != 0 {
-                    if inputs_.drilled {
-                        after_[0usize] &= !2u8;
-                        after_[0usize] |= 4u8;
-                        moved_ = true;
-                    }
-                }
-                if before_[0usize] & 4u8 != 0 {
-                    if (before_[0usize] & 16u8 != 0) && !inputs_.part {
-                        after_[0usize] &= !4u8;
-                        after_[0usize] &= !16u8;
-                        after_[0usize] |= 32u8;
-                        moved_ = true;
-                    }
-                }
-                if before_[0usize] & 8u8 != 0 {
-                    if inputs_.tested {
-                        after_[0usize] &= !8u8;
-                        after_[0usize] |= 16u8;
-                        moved_ = true;
-                    }
-                }
-                if before_[0usize] & 32u8 != 0 {
-                    if (before_[0usize] & 32u8 != 0)
-                        && (if before_[0usize] & 32u8 != 0 {
-                            self.since_5
-                        } else {
-                            ::grafcet::__private::Ticks::ZERO
-                        }) >= ::grafcet::__private::Ticks::new(2000u32)
+                __StationsRegion0::Out => {
+                    if now_.since(self.since_wait)
+                        >= ::grafcet::__private::Ticks::new(2000u32)
                     {
-                        after_[0usize] &= !32u8;
-                        after_[0usize] |= 1u8;
-                        moved_ = true;
+                        region_0_ = __StationsRegion0::Wait;
+                        moves_21__ = true;
+                    }
+                }
+                _ => {
+                    if region_0_ == __StationsRegion0::Drilled
+                        && region_1_ == __StationsRegion1::Tested && !inputs_.part
+                    {
+                        moves_21__ = true;
+                        self.motor = false;
+                        self.since_wait = now_;
+                        region_1_ = __StationsRegion1::NONE;
+                        region_0_ = __StationsRegion0::Out;
+                    } else {
+                        match region_0_ {
+                            __StationsRegion0::Drill => {
+                                if inputs_.drilled {
+                                    region_0_ = __StationsRegion0::Drilled;
+                                    moves_21__ = true;
+                                }
+                            }
+                            _ => {}
+                        }
+                        ::grafcet::__private::core::sync::atomic::compiler_fence(
+                            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
+                        );
+                        match region_1_ {
+                            __StationsRegion1::Test => {
+                                if inputs_.tested {
+                                    region_1_ = __StationsRegion1::Tested;
+                                    moves_21__ = true;
+                                }
+                            }
+                            _ => {}
+                        }
                     }
                 }
             }
-            if !moved_ {
+            if !moves_21__ {
                 break;
             }
-            if after_[0usize] & 34u8 != 0 {
-                if after_[0usize] & 2u8 != 0 {
-                    if before_[0usize] & 2u8 == 0 {
-                        self.out_motor = true;
-                    }
-                }
-                if after_[0usize] & 32u8 != 0 {
-                    if before_[0usize] & 32u8 == 0 {
-                        self.out_motor = false;
-                    }
-                }
-            }
-            self.situation = after_;
-            if (after_[0usize] ^ before_[0usize]) & 32u8 != 0 {
-                self.since_5 = ::grafcet::__private::Ticks::ZERO;
-            }
         }
-        let after_ = self.situation;
-        if after_[0usize] & 10u8 != 0 {
-            if after_[0usize] & 2u8 != 0 {
+        ::grafcet::__private::core::sync::atomic::compiler_fence(
+            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
+        );
+        match region_0_ {
+            __StationsRegion0::Drill => {
                 outputs_.drill = true;
             }
-            if after_[0usize] & 8u8 != 0 {
+            _ => {}
+        }
+        ::grafcet::__private::core::sync::atomic::compiler_fence(
+            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
+        );
+        match region_1_ {
+            __StationsRegion1::Test => {
                 outputs_.test = true;
             }
+            _ => {}
         }
-        outputs_.motor = self.out_motor;
+        if region_0_ != before_0_ {
+            self.situation[0usize] = self.situation[0usize] & 216u8
+                | match region_0_ {
+                    __StationsRegion0::Wait => 1u8,
+                    __StationsRegion0::Drill => 2u8,
+                    __StationsRegion0::Drilled => 4u8,
+                    __StationsRegion0::Out => 32u8,
+                    _ => 0u8,
+                };
+            self.situation[0usize] &= !64u8;
+        }
+        if region_1_ != before_1_ {
+            self.situation[0usize] = self.situation[0usize] & 231u8
+                | match region_1_ {
+                    __StationsRegion1::Test => 8u8,
+                    __StationsRegion1::Tested => 16u8,
+                    _ => 0u8,
+                };
+        }
+        outputs_.motor = self.motor;
         outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
@@ -373,9 +467,7 @@ impl Stations {
         step: StationsStep,
     ) -> ::grafcet::__private::bool {
         match step_ {
-            StationsStep::Wait => {
-                self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0
-            }
+            StationsStep::Wait => self.situation[0usize] & 1u8 != 0,
             StationsStep::Drill => self.situation[0usize] & 2u8 != 0,
             StationsStep::Drilled => self.situation[0usize] & 4u8 != 0,
             StationsStep::Test => self.situation[0usize] & 8u8 != 0,
@@ -387,7 +479,7 @@ impl Stations {
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<StationsStep, 2> {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
-        if self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0 {
+        if self.situation[0usize] & 1u8 != 0 {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 StationsStep::Wait,
@@ -429,9 +521,7 @@ impl Stations {
     #[must_use]
     pub const fn situation(&self) -> StationsSituation {
         let mut steps_ = self.situation;
-        if self.situation[0usize] & 64u8 != 0 {
-            steps_ = [1u8];
-        }
+        steps_[0usize] &= !64u8;
         StationsSituation { steps: steps_ }
     }
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
@@ -459,22 +549,21 @@ impl Stations {
     pub fn next_deadline(
         &self,
     ) -> ::grafcet::__private::Option<::grafcet::__private::Ticks> {
-        if self.situation[0usize] & 64u8 != 0 {
-            return ::grafcet::__private::Option::Some(self.now);
+        if !!(self.region_0_() == __StationsRegion0::INIT) {
+            return ::grafcet::__private::Option::Some(self.since_wait);
         }
         let mut soonest_ = ::grafcet::__private::Option::None;
-        if self.situation[0usize] & 32u8 != 0 {
+        if self.region_0_() == __StationsRegion0::Out {
             soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                ::grafcet::__private::until(
-                    self.since_5,
+                ::grafcet::__private::Option::Some(
                     ::grafcet::__private::Ticks::new(2000u32),
                 ),
             );
         }
         match soonest_ {
             ::grafcet::__private::Option::Some(time_) => {
-                ::grafcet::__private::Option::Some(self.now.after(time_))
+                ::grafcet::__private::Option::Some(self.since_wait.after(time_))
             }
             ::grafcet::__private::Option::None => ::grafcet::__private::Option::None,
         }

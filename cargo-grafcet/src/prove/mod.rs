@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use clap::Args as Arguments;
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::{Claim, Model, StepId};
-use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_compiler::program::{Program, counted};
 use grafcet_prove::checker::{Told, Trouble, decide_by};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Internal, Limit, Verdict, decide, decide_home, decide_live, export, table, vacuous, words};
@@ -95,7 +95,7 @@ pub(crate) fn run(options: &Prove) -> Result<Outcome, Failure> {
 /// Whether everything that the chart claims is proved.
 fn one(chart: &Found, model: &Model, options: &Prove, checker: Option<&Checker>) -> Result<bool, Failure> {
     let refused = |why: String| Failure::Said(format!("{} has no circuit: {why}", chart.name));
-    let program = counted(model, &Facts::of(model), Encoding::Regions).map_err(|error| refused(error.to_string()))?;
+    let program = counted(model, &Facts::of(model)).map_err(|error| refused(error.to_string()))?;
     let circuit = Circuit::of(&program).map_err(|error| refused(error.to_string()))?;
     write(&program, &circuit, options)?;
     let asked = Asked { chart, program: &program, circuit: &circuit, options, checker };

@@ -7,7 +7,7 @@ use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::{
     Binary, Claim, Dialect, Effect, Expr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree, Ty, Var,
 };
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::replay::Shown;
 use grafcet_prove::{Limit, Verdict, decide};
@@ -48,7 +48,7 @@ pub(crate) fn ask(
     let end = Instant::now() + limit;
     let questions = questions(&mut model, open);
     // What has no circuit is not asked.
-    let Ok(program) = counted(&model, &Facts::of(&model), Encoding::Regions) else { return told };
+    let Ok(program) = counted(&model, &Facts::of(&model)) else { return told };
     let Ok(circuit) = Circuit::of(&program) else { return told };
     for (number, question) in questions.iter().enumerate() {
         let left = end.saturating_duration_since(Instant::now());

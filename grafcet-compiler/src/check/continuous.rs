@@ -8,7 +8,7 @@ use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::{List, PushAll};
 use crate::model::{Effect, Expr, Model, Name, Place, Read, Ty, VarId};
-use crate::plan::is_stored;
+
 use crate::sorted::Set;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
@@ -18,7 +18,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 
 /// A continuous output is read.
 fn reads_continuous(model: &Model, sink: &mut Sink) {
-    let at_an_instant = model.associations.values().filter(|a| is_stored(a)).map(|a| &a.effect);
+    let at_an_instant = model.associations.values().filter(|a| a.is_stored()).map(|a| &a.effect);
     let effects = at_an_instant.and(model.transitions.values().flat(|t| &t.clearing));
     let mut stored: Set<Place> = Set::new();
     effects.for_each(|effect| stored.extend(effect.writes()));

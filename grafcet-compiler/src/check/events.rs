@@ -3,19 +3,18 @@
 use crate::analysis::has_edge;
 use crate::diagnostic::{Sink, rules};
 use crate::model::{Effect, Model, Qualifier};
-use crate::plan::is_stored;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     for association in model.associations.values() {
         let scopes = [&model.steps[association.step].levels[..], &model.levels];
-        if let (Some(condition), false) = (&association.condition, is_stored(association)) {
+        if let (Some(condition), false) = (&association.condition, association.is_stored()) {
             if has_edge(condition) {
                 let message = "an assignation condition holds while the action does, and an edge has no duration; \
                                write the level itself, or a stored action: `on rising(…) …`";
                 sink.rule(&rules::EDGE_IN_ASSIGNATION, &scopes, vec![(condition.mark, message.to_owned())]);
             }
         }
-        if let (Effect::Assign(_, value), false) = (&association.effect, is_stored(association)) {
+        if let (Effect::Assign(_, value), false) = (&association.effect, association.is_stored()) {
             if has_edge(value) {
                 let message = "an assigned value lasts as long as its action, and an edge has no duration; write the \
                                level itself, or a stored action: `on rising(…) …`";

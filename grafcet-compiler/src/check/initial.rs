@@ -1,14 +1,13 @@
 //! What a chart remembers has an initial value that is a constant, since `new` is `const`.
 
-use crate::analysis::Facts;
 use crate::diagnostic::Sink;
-use crate::model::{Expr, Id, Model, Ty};
-use crate::plan::Drive;
+use crate::model::{Association, Effect, Expr, Model, Name, OutputId, Place, Qualifier, Read, Ty};
+use crate::sorted::Set;
 
 /// Reports remembered values of a user's own type that state no initial value: `Default` is not `const`.
-pub fn initial_values(model: &Model, facts: &Facts<'_>, sink: &mut Sink) {
-    let drives = Drive::all(model, &facts.concurrency);
-    for (_, output) in model.outputs.iter().filter(|(id, _)| drives[id.index()].is_remembered()) {
+pub fn initial_values(model: &Model, sink: &mut Sink) {
+    let remembered = remembered(model);
+    for (_, output) in model.outputs.iter().filter(|(id, _)| remembered.contains(id)) {
         require("output", &output.name, &output.ty, output.init.as_ref(), sink);
     }
     for var in model.vars.values() {
@@ -17,6 +16,28 @@ pub fn initial_values(model: &Model, facts: &Facts<'_>, sink: &mut Sink) {
     for param in model.params.values() {
         require("param", &param.name, &param.ty, param.init.as_ref(), sink);
     }
+}
+
+/// The outputs that are no booleans and keep their value from cycle to cycle: an action stores it, or, in an `sfc`, an expression reads what it was in the cycle
+/// before.
+fn remembered(model: &Model) -> Set<OutputId> {
+    let output = |place: &Place| if let Place::Output(id) = place { Some(*id) } else { None };
+    let mut found = Set::new();
+    // About this cycle only.
+    let lasts = |a: &&Association| !(a.qualifier == Qualifier::N && matches!(a.effect, Effect::Assign(..)));
+    for association in model.associations.values().filter(lasts) {
+        found.extend(association.effect.writes().iter().filter_map(output));
+    }
+    for effect in model.transitions.values().flat_map(|transition| &transition.clearing) {
+        found.extend(effect.writes().iter().filter_map(output));
+    }
+    // In a `grafcet` only stored outputs can be read (A22).
+    for read in model.expressions().into_iter().flatten() {
+        if let (Read::Name(Name::Output(id)), false) = (read, model.is_grafcet()) {
+            found.insert(*id);
+        }
+    }
+    found
 }
 
 fn require(keyword: &str, name: &syn::Ident, ty: &Ty, init: Option<&Expr>, sink: &mut Sink) {

@@ -52,9 +52,9 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
     }
 }
 
-/// The rules that look at how the chart evolves; only for charts whose drawing is in order. Returned are the races that were
-/// found, whatever the chart says of them: they are facts for the plan too. `prover` is asked for properties that are left open.
-pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink: &mut Sink) -> Races {
+/// The rules that look at how the chart evolves; only for charts whose drawing is in order. `prover` is asked for
+/// properties that are left open.
+pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink: &mut Sink) {
     let (never, structure) = (&facts.never[..], &facts.assumed);
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let concurrency = structure.across_partials(model);
@@ -107,7 +107,6 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
         structure::two_masters(model, &seen, sink);
         unstable::check(model, (&concurrency, exploration), never, asked, sink);
     }
-    races
 }
 
 /// What a chart claims together with its plants, which is for the prover alone.

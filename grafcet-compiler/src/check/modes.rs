@@ -6,7 +6,6 @@ use super::targets;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier};
-use crate::plan::is_stored;
 
 /// What actions do with a place.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -87,7 +86,7 @@ fn uses(model: &Model, place: Place) -> Vec<Use> {
 
 fn mode(model: &Model, association: &Association) -> Mode {
     if model.dialect == Dialect::Grafcet {
-        return if is_stored(association) { Mode::Written } else { Mode::Assigned };
+        return if association.is_stored() { Mode::Written } else { Mode::Assigned };
     }
     match &association.effect {
         Effect::Control(_) => Mode::Controlled,

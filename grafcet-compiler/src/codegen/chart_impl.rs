@@ -2,11 +2,9 @@
 
 use proc_macro2::{Literal, TokenStream};
 
-use super::bind::Moment;
 use super::machine::Machine;
-use super::situation::{At, shown_in};
 use super::state::{StateEnum, step_name};
-use super::{Cx, deadline, derives, late, names, recipe, requirements, types, unreached};
+use super::{Cx, deadline, derives, late, names, program, recipe, requirements, types, unreached};
 use crate::list::List;
 use crate::model::{Id, Name, Read, StepId};
 use crate::place::{self, quote};
@@ -74,7 +72,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
     let (vis, inputs) = (&model.vis, &names.inputs);
     let stated = || model.assumptions.iter().filter(|assumption| assumption.of_range.is_none());
     let excluded: Vec<_> = (0..stated().count()).map(|index| names::local(&format!("excluded_{index}"))).list();
-    let values = stated().map(|assumption| cx.value(&assumption.never, Moment::Condition));
+    let values = stated().map(|assumption| cx.value(&assumption.never));
     let reads = |is: fn(&Read) -> bool| stated().any(|assumption| assumption.never.reads.iter().any(is));
     let reads_nothing = !reads(|read| matches!(read, Read::Name(Name::Input(_))));
     let of_recipe = reads(|read| matches!(read, Read::Name(Name::Param(_)))).then(|| quote!(&self,));
@@ -102,7 +100,7 @@ fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, inputs, outputs) = (&model.vis, &names.inputs, &names.outputs);
     let Machine { cycle: body, .. } = machine;
-    let time = cx.plan.memory.time;
+    let time = cx.model.uses_time();
     let given = names::parameter("inputs", &quote!(&#inputs));
     let now = time.then(|| names::parameter("now", &quote!(impl #p::core::convert::Into<#p::Ticks>)));
     let now = now.map(|now| quote!(, #now));
@@ -115,8 +113,11 @@ fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     // Where the outputs are returned in memory, inlining would take them apart and write them one by one.
     let outlined = (model.outputs.len() > 8).then(|| quote!(#[inline(never)]));
     let copied = requirements::copied(model, p);
+    // Fields may be written twice, and locals that stand for them.
+    let unread = machine.flags.map(|_| quote!(#[allow(unused_assignments)]));
     quote! {
         #outlined
+        #unread
         /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
         /// situation.
         #vis fn cycle(&mut self, #given #now #actions) -> #outputs {
@@ -156,7 +157,7 @@ fn ticks(cx: &Cx<'_>) -> Option<TokenStream> {
     let unit = Literal::u64_unsuffixed(cx.model.clock_nanos);
     let duration = names::parameter("duration", &quote!(#p::core::time::Duration));
     let bound = names::bound_in_const("duration");
-    cx.plan.memory.time.then(|| {
+    cx.model.uses_time().then(|| {
         quote! {
             /// A duration in the chart's clock unit, rounded up.
             #[must_use]
@@ -184,7 +185,7 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
     } else {
         quote!(())
     };
-    let (now, now_name) = if cx.plan.memory.time { (Some(quote!(, now_)), quote!(now_)) } else { (None, quote!(_)) };
+    let (now, now_name) = if cx.model.uses_time() { (Some(quote!(, now_)), quote!(now_)) } else { (None, quote!(_)) };
     let (pass, actions_name) =
         if has_actions { (Some(quote!(, actions_)), quote!(actions_)) } else { (None, quote!(_)) };
     quote! {
@@ -221,7 +222,8 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
 
 /// The capacity of `active_steps` and the body that fills it.
 fn active_steps(cx: &Cx<'_>, machine: &Machine<'_>) -> (Literal, TokenStream) {
-    let capacity = Literal::usize_unsuffixed(cx.plan.most_active.max(1));
+    // No two steps of a region are active together.
+    let capacity = Literal::usize_unsuffixed(cx.plan.regions.all().len().max(1));
     let p = &cx.p;
     let steps = names::local("steps");
     let pushes = if cx.plan.one_step {
@@ -271,75 +273,10 @@ impl Cx<'_> {
     }
 }
 
-/// Whether the chart's state holds a step.
-pub(super) fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
-    let region = cx.plan.regions.of_step(step);
-    let active = cx.in_step(At::Now, step);
-    let starts = if cx.plan.shape.is_flags() { cx.plan.has_start } else { cx.has_start_variant(region) };
-    let starting = (starts && cx.plan.initial.contains(&step)).then(|| {
-        let starting = cx.is_starting(At::Now);
-        quote!(|| #starting)
-    });
-    quote!(#active #starting)
-}
-
 /// One step, where that is all a situation can be.
 fn situation_type(cx: &Cx<'_>) -> TokenStream {
     let name = if cx.plan.one_step { &cx.names.step } else { &cx.names.situation };
     quote!(#name)
-}
-
-/// The body of `situation`.
-pub(super) fn situation(cx: &Cx<'_>) -> TokenStream {
-    if cx.plan.shape.is_flags() {
-        return situation_of_flags(cx);
-    }
-    let entered = |region| {
-        let state = cx.plain_state(region);
-        if cx.has_start_variant(region) {
-            let (start, initial) = (cx.start(), cx.initial(region));
-            quote!(match #state { #start => #initial, entered_ => entered_ })
-        } else {
-            state
-        }
-    };
-    if !cx.plan.regions.is_single() {
-        let name = &cx.names.situation;
-        let regions = (0..cx.plan.regions.all().len()).map(|region| {
-            let (field, state) = (names::region_field(region, cx.plan), entered(region));
-            quote!(#field: #state,)
-        });
-        return quote!(#name { #(#regions)* });
-    }
-    let state = cx.plain_state(0);
-    let arms = cx.plan.regions.all()[0].steps.iter().map(|id| {
-        let (variant, name) = (cx.variant(*id), step_name(cx, *id));
-        let starting = (cx.has_start_variant(0) && cx.plan.initial.contains(id)).then(|| {
-            let start = cx.start();
-            quote!(| #start)
-        });
-        quote!(#variant #starting => #name,)
-    });
-    quote!(match #state { #(#arms)* })
-}
-
-fn situation_of_flags(cx: &Cx<'_>) -> TokenStream {
-    if !cx.plan.one_step {
-        let (name, shown) = (&cx.names.situation, cx.shown_flags());
-        return quote!(#shown #name { steps: steps_ });
-    }
-    one_by_one(cx, cx.model.steps.ids().map(|step| holds(cx, step)))
-}
-
-/// The active step, of which there is always one, where each has to be asked.
-pub(super) fn one_by_one(cx: &Cx<'_>, active: impl Iterator<Item = TokenStream>) -> TokenStream {
-    let mut steps: Vec<_> = cx.model.steps.ids().list();
-    let last = steps.pop().map(|step| step_name(cx, step));
-    let others = steps.into_iter().zip(active).map(|(step, active)| {
-        let name = step_name(cx, step);
-        quote!(if #active { return #name; })
-    });
-    quote!(#(#others)* #last)
 }
 
 /// `MotorSituation`: the states of all regions.
@@ -353,17 +290,18 @@ fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
         let (field, ty) = (names::region_field(*region, plan), cx.names.region(*region, plan));
         quote!(#field: #ty,)
     });
-    let fields: TokenStream = if cx.plan.shape.is_flags() {
-        let bytes = Literal::usize_suffixed(cx.flag_bytes());
-        quote!(steps: [#p::u8; #bytes])
-    } else {
-        fields.tokens()
+    let fields: TokenStream = match machine.flags {
+        Some(flags) => {
+            let bytes = Literal::usize_suffixed(flags.bytes());
+            quote!(steps: [#p::u8; #bytes])
+        }
+        None => fields.tokens(),
     };
     let arms = model.steps.ids().map(|id| {
         let step = step_name(cx, id);
-        if cx.plan.shape.is_flags() {
-            let active = shown_in(id);
-            return quote!(#step => #active,);
+        if machine.flags.is_some() {
+            let (byte, mask) = program::bit(id.index());
+            return quote!(#step => self.steps[#byte] & #mask != 0,);
         }
         let (region, states) = &machine.homes[id.index()];
         let field = names::region_field(*region, plan);

@@ -1,6 +1,7 @@
 //! What the documentation of a chart's type says about its encoding.
 
 use super::machine::Machine;
+use super::program::Flags;
 use super::state::StateEnum;
 use super::{Cx, names, state};
 use crate::list::{List, PushAll};
@@ -15,8 +16,8 @@ impl Cx<'_> {
         if self.plan.regions.all().is_empty() {
             return None;
         }
-        if self.plan.shape.is_flags() {
-            return Some(self.encoding_of_flags());
+        if let Some(flags) = machine.flags {
+            return Some(of_flags(flags));
         }
         let regions = &machine.regions;
         let bytes = bytes(regions.iter().map(|region| self.region_bytes(region)).sum());
@@ -49,22 +50,6 @@ impl Cx<'_> {
         })
     }
 
-    fn encoding_of_flags(&self) -> String {
-        let mut bits = vec![match self.model.steps.len() {
-            1 => "a bit for its step".to_owned(),
-            count => format!("a bit for each of its {count} steps"),
-        }];
-        if self.plan.has_start {
-            bits.push("one for the first cycle, as long as it is still to come".to_owned());
-        }
-        if self.plan.may_be_unstable {
-            bits.push("one for a search that did not become stable".to_owned());
-        }
-        let last = bits.pop().unwrap_or_default();
-        let first = if bits.is_empty() { String::new() } else { format!("{} and ", bits.join(", ")) };
-        format!("The situation takes {} (`encoding flags;`): {first}{last}.", bytes(self.flag_bytes()))
-    }
-
     /// The size of a region's field.
     fn region_bytes(&self, region: &StateEnum) -> usize {
         let states = state::variants(self, region).len();
@@ -80,6 +65,22 @@ impl Cx<'_> {
         let set = named.and(more(steps.len())).list().join(", ");
         if is_united(machine, steps) { format!("{set}: in {} ways", region.states.len()) } else { set }
     }
+}
+
+fn of_flags(flags: Flags) -> String {
+    let mut bits = vec![match flags.steps {
+        1 => "a bit for its step".to_owned(),
+        count => format!("a bit for each of its {count} steps"),
+    }];
+    if flags.start {
+        bits.push("one for the first cycle, as long as it is still to come".to_owned());
+    }
+    if flags.unstable {
+        bits.push("one for a search that did not become stable".to_owned());
+    }
+    let last = bits.pop().unwrap_or_default();
+    let first = if bits.is_empty() { String::new() } else { format!("{} and ", bits.join(", ")) };
+    format!("The situation takes {} (`encoding flags;`): {first}{last}.", bytes(flags.bytes()))
 }
 
 /// Whether some of the steps are active together.

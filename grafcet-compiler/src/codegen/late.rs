@@ -6,20 +6,8 @@ use super::Cx;
 use super::machine::Machine;
 use super::state::step_name;
 use crate::list::List;
-use crate::model::{Id, StepId};
+use crate::model::Id;
 use crate::place::quote;
-
-impl Cx<'_> {
-    /// The steps that have a time, and what tells that it is over, where they are active.
-    pub(super) fn late(&self) -> Vec<(StepId, TokenStream)> {
-        let within = self.model.steps.iter().filter_map(|(id, step)| Some((id, step.within()?)));
-        let over = |(id, time)| {
-            let (reached, time) = (self.counted(self.plan.regions.of_step(id)), self.time(time));
-            (id, quote!(#reached >= #time))
-        };
-        within.map(over).list()
-    }
-}
 
 /// The method, where a step has such a time.
 pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {

@@ -2,12 +2,10 @@
 
 use proc_macro2::{Ident, TokenStream};
 
+use super::program::Flags;
 use super::state::StateEnum;
-use super::{Cx, chart_impl, names, state};
-use crate::list::List;
 use crate::model::{StepId, Ty};
-use crate::place::quote;
-use crate::plan::RegionId;
+use crate::program::RegionId;
 
 /// The state of a chart and the code of its cycle.
 pub(super) struct Machine<'m> {
@@ -15,6 +13,8 @@ pub(super) struct Machine<'m> {
     pub(super) types: TokenStream,
     /// The regions whose states are enums.
     pub(super) regions: Vec<StateEnum>,
+    /// `encoding flags;`: what is stored instead of them.
+    pub(super) flags: Option<Flags>,
     /// What `new` writes, beside the recipe.
     pub(super) fields: Vec<Field>,
     /// The field with the clock's reading in the last cycle.
@@ -67,34 +67,4 @@ pub(super) struct Began {
     pub(super) awaited: TokenStream,
     /// The longest that it is compared with, in ticks.
     pub(super) longest: u32,
-}
-
-impl<'m> Machine<'m> {
-    /// As the plan says.
-    pub(super) fn planned(cx: &Cx<'m>) -> Self {
-        let (model, plan) = (cx.model, cx.plan);
-        let remembered = plan.memory.stored.iter().and(&plan.memory.last).map(|id| &model.outputs[*id].ty);
-        let vars = plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
-        let values = plan.memory.vars.iter().map(|id| {
-            let held = names::var_field(model, *id);
-            quote!(self.#held)
-        });
-        Self {
-            types: state::enums(cx),
-            regions: state::regions(cx),
-            fields: cx.fields(),
-            clock: plan.memory.time.then(|| names::own("now")),
-            began: Vec::new(),
-            stored: remembered.and(vars).list(),
-            cycle: cx.cycle_body(),
-            forced: cx.forced_body(),
-            active: model.steps.ids().map(|step| chart_impl::holds(cx, step)).list(),
-            homes: model.steps.ids().map(|step| (plan.regions.of_step(step), vec![step])).list(),
-            situation: chart_impl::situation(cx),
-            stable: if plan.may_be_unstable { cx.is_unmarked() } else { quote!(true) },
-            deadline: cx.deadline(),
-            late: cx.late(),
-            vars: values.list(),
-        }
-    }
 }

@@ -1,41 +1,25 @@
 //! The generated code: one file per artefact. After the gates nothing can fail: model and plan in, tokens out.
 
-mod acting;
 mod bind;
-mod branches;
 mod chart_impl;
-mod control;
-mod cycle;
 mod deadline;
 mod derives;
 mod description;
 mod editor;
 mod encoding;
-mod evolution;
-mod fields;
 mod force;
-mod grafcet;
-mod hierarchy;
-mod in_order;
-mod in_place;
 mod late;
 mod machine;
 mod meaning;
 mod names;
-mod outputs;
 mod outside;
 mod program;
 mod recipe;
 mod record;
 mod requirements;
 mod rust;
-mod sfc;
-mod side_by_side;
-mod situation;
 mod state;
-mod stored;
 mod stub;
-mod time;
 mod types;
 mod unreached;
 mod variants;
@@ -72,9 +56,8 @@ pub(crate) fn generate(
 ) -> TokenStream {
     let cx = Cx::new(model, plan, root);
     let machine = match &plan.program {
-        Some(Ok(program)) => program::machine(&cx, program),
-        Some(Err(refused)) => return refuse(refused),
-        None => Machine::planned(&cx),
+        Ok(program) => program::machine(&cx, program),
+        Err(refused) => return refuse(refused),
     };
     let (items, forced) = (items(&cx, &machine), force::all(&cx, facts, &machine));
     let recorded = fingerprint.map(|fingerprint| {
@@ -88,9 +71,8 @@ pub(crate) fn generate(
 pub(crate) fn meanings(model: &Model, plan: &Plan<'_>, root: &TokenStream) -> Vec<(String, Held)> {
     let cx = Cx::new(model, plan, root);
     match &plan.program {
-        Some(Ok(program)) => program::meanings(&cx, program),
-        Some(Err(_)) => Vec::new(),
-        None => cx.meanings(),
+        Ok(program) => program::meanings(&cx, program),
+        Err(_) => Vec::new(),
     }
 }
 
@@ -118,9 +100,9 @@ impl<'m> Cx<'m> {
         Self { model, plan, names: Names::of(model), p: quote!(#root::__private) }
     }
 
-    /// One region whose state is an enum has one active step, or none, by itself.
+    /// One region has one active step by itself.
     fn is_alone(&self) -> bool {
-        self.plan.regions.is_single() && !self.plan.shape.is_flags()
+        self.plan.one_step
     }
 }
 

@@ -4,16 +4,14 @@
 //! brings in is a pattern of that, whoever wrote it. So what generated code binds ends with an underscore (`inputs_`), which no
 //! item of a program does; fields, which are no patterns, do not.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 use crate::list::List;
-use crate::model::{
-    ActionId, AnyId, AssociationId, DelayId, EdgeId, Effect, Id, MacroId, Model, OutputId, Place, Qualifier, StepId,
-    Transition, TransitionId, VarId,
-};
+use crate::model::{Id, Model, StepId, Transition, TransitionId};
 use crate::place::{self, quote};
-use crate::plan::{Plan, RegionId, Target};
+use crate::plan::Plan;
+use crate::program::RegionId;
 use crate::sorted::Set;
 
 /// The names of one chart's items.
@@ -87,211 +85,20 @@ pub(super) fn region_field(region: RegionId, plan: &Plan<'_>) -> Ident {
     own(&numbered("situation", "region", region, plan))
 }
 
-/// The state of a region before the evolution; that of all, where they are bits.
+/// The same where it is a local of a cycle, or the method that tells it (`encoding flags;`).
+pub(super) fn region_local(region: RegionId, plan: &Plan<'_>) -> Ident {
+    local(&numbered("situation", "region", region, plan))
+}
+
+/// What that local began with.
 pub(super) fn before(region: RegionId, plan: &Plan<'_>) -> Ident {
-    state("before", region, plan)
-}
-
-/// The state of a region after the evolution; that of all, where they are bits.
-pub(super) fn after(region: RegionId, plan: &Plan<'_>) -> Ident {
-    state("after", region, plan)
-}
-
-fn state(name: &str, region: RegionId, plan: &Plan<'_>) -> Ident {
-    if plan.regions.are_flags() { local(name) } else { local(&numbered(name, name, region, plan)) }
-}
-
-/// Whether a step of the region was left and entered again in one evolution.
-pub(super) fn again(region: RegionId, plan: &Plan<'_>) -> Ident {
-    local(&numbered("again", "again", region, plan))
+    local(&numbered("before", "before", region, plan))
 }
 
 fn numbered(single: &str, many: &str, region: RegionId, plan: &Plan<'_>) -> String {
     match plan.regions.all().len() {
         1 => single.to_owned(),
         _ => format!("{many}_{region}"),
-    }
-}
-
-/// The field that remembers an output, or its value of the last cycle.
-pub(super) fn output_field(model: &Model, output: OutputId) -> Ident {
-    own_of("out_", &model.outputs[output].name)
-}
-
-/// The field that remembers what an output was in the cycle before, only because it is read.
-pub(super) fn output_last_field(model: &Model, output: OutputId) -> Ident {
-    own_of("out_last_", &model.outputs[output].name)
-}
-
-/// The field of a variable.
-pub(super) fn var_field(model: &Model, var: VarId) -> Ident {
-    own_of("var_", &model.vars[var].name)
-}
-
-/// The field of the outputs to be returned.
-pub(super) fn output_local(model: &Model, output: OutputId) -> TokenStream {
-    let name = &model.outputs[output].name;
-    quote!(outputs_.#name)
-}
-
-/// The local with the value of an output before the actions of this cycle.
-pub(super) fn output_last(model: &Model, output: OutputId) -> Ident {
-    prefixed("last_", &model.outputs[output].name)
-}
-
-/// The local that says that an active step resets a target in this cycle.
-pub(super) fn output_reset(model: &Model, output: OutputId) -> Ident {
-    prefixed("reset_", &model.outputs[output].name)
-}
-
-/// The field that counts the time of a region's active step.
-pub(super) fn step_time(region: RegionId, plan: &Plan<'_>) -> Ident {
-    own(&numbered("since", "since", region, plan))
-}
-
-/// The time of the step that was active before the evolution.
-pub(super) fn step_time_before(region: RegionId, plan: &Plan<'_>) -> Ident {
-    local(&numbered("since_before", "since_before", region, plan))
-}
-
-/// The field that counts the time of a macro-step.
-pub(super) fn macro_time(id: MacroId) -> Ident {
-    own(&format!("macro_since_{}", id.index()))
-}
-
-/// The field that counts how far something that blinks is in its period.
-pub(super) fn phase(index: usize) -> Ident {
-    own(&format!("phase_{index}"))
-}
-
-/// What it was before the evolution.
-pub(super) fn phase_before(index: usize) -> Ident {
-    local(&format!("phase_before_{index}"))
-}
-
-/// The local that says that an `any` has cleared in this evolution.
-pub(super) fn any_cleared(any: AnyId) -> Ident {
-    local(&format!("any_cleared_{}", any.index()))
-}
-
-/// The field that remembers the expression of an edge.
-pub(super) fn edge_field(id: EdgeId) -> Ident {
-    own(&format!("edge_{}", id.index()))
-}
-
-/// The local that keeps what an edge compares with.
-pub(super) fn edge_kept(id: EdgeId) -> Ident {
-    local(&format!("edge_before_{}", id.index()))
-}
-
-/// The local that holds whether an edge is there, rising or falling.
-pub(super) fn edge_local(id: EdgeId, rising: bool) -> Ident {
-    local(&format!("{}_now_{}", if rising { "rising" } else { "falling" }, id.index()))
-}
-
-/// The field and the local of an edge that is sampled after the evolution.
-pub(super) fn late_edge(id: EdgeId, side: Option<bool>) -> Ident {
-    let late = format!("late_{}", id.index());
-    side.map_or_else(
-        || own(&late),
-        |rising| local(&format!("{}_now_{late}", if rising { "rising" } else { "falling" })),
-    )
-}
-
-/// The field of a delay.
-pub(super) fn delay_field(id: DelayId) -> Ident {
-    own(&format!("delay_{}", id.index()))
-}
-
-/// The local that says that a step which is both left and kept shall be active.
-pub(super) fn enter_local(step: StepId) -> Ident {
-    local(&format!("enter_{}", step.index()))
-}
-
-/// The local that says that a step has been left by a transition of higher priority.
-pub(super) fn left_local(step: StepId) -> Ident {
-    local(&format!("left_{}", step.index()))
-}
-
-/// The local that says that one of the branches beside an `else` has cleared.
-pub(super) fn other_branch(otherwise: TransitionId) -> Ident {
-    local(&format!("other_branch_{}", otherwise.index()))
-}
-
-/// The local that collects the value of a stored place during an evolution.
-pub(super) fn collected(model: &Model, place: Place) -> Ident {
-    prefixed("next_", model.place_name(place))
-}
-
-/// The local with the value of a combinational variable.
-pub(super) fn combinational(model: &Model, var: VarId) -> Ident {
-    prefixed("is_", &model.vars[var].name)
-}
-
-/// The local that says whether the condition of an assigned output held before the first action ran.
-pub(super) fn holds(id: AssociationId) -> Ident {
-    local(&format!("holds_{}", id.index()))
-}
-
-/// The field of a place.
-pub(super) fn place_field(model: &Model, place: Place) -> Ident {
-    match place {
-        Place::Output(id) => output_field(model, id),
-        Place::Var(id) => var_field(model, id),
-    }
-}
-
-/// The field that says whether an action was called continuously in the cycle before.
-pub(super) fn called(model: &Model, action: ActionId) -> Ident {
-    own_of("called_", &model.actions[action].name)
-}
-
-/// The field that remembers which association called an action last.
-pub(super) fn called_number(model: &Model, action: ActionId) -> Ident {
-    own_of("association_", &model.actions[action].name)
-}
-
-/// The local that says that a call on an event or a clearing is due.
-pub(super) fn due(kind: &str, index: usize) -> Ident {
-    local(&format!("due_{kind}_{index}"))
-}
-
-/// A field that belongs to a target of the action control: `timer_flag_l_heat`.
-pub(super) fn target(prefix: &str, model: &Model, index: usize, target: &Target) -> Ident {
-    let first = target.associations.first().map(|id| &model.associations[*id].effect);
-    match first {
-        Some(Effect::Control(place)) => own_of(&format!("{prefix}_"), model.place_name(*place)),
-        Some(Effect::Call(action, _)) => own_of(&format!("{prefix}_"), &model.actions[*action].name),
-        Some(Effect::Assign(place, _)) => own_of(&format!("{prefix}_{index}_"), model.place_name(*place)),
-        _ => own(&format!("{prefix}_{index}")),
-    }
-}
-
-/// A local that belongs to such a target: `flag_n_heat_`.
-pub(super) fn target_local(prefix: &str, model: &Model, index: usize, of: &Target) -> Ident {
-    local(&target(prefix, model, index, of).to_string())
-}
-
-/// The prefix of a target's flag for a qualifier: `flag_sd`.
-pub(super) fn flag(qualifier: Qualifier) -> String {
-    format!("flag_{}", qualifier.word().to_lowercase())
-}
-
-/// The number of an association among those of its target, as it is remembered.
-pub(super) fn association_number(target: &Target, id: AssociationId) -> Literal {
-    Literal::usize_unsuffixed(target.associations.iter().position(|other| *other == id).unwrap_or_default())
-}
-
-/// The prefix of the field for the condition of an association in the cycle before.
-pub(super) fn held(target: &Target, id: AssociationId) -> String {
-    format!("held_{}", association_number(target, id))
-}
-
-/// The type in which a number below `count` is remembered.
-pub(super) fn number_type(count: usize, p: &TokenStream) -> TokenStream {
-    match count {
-        0..=256 => quote!(#p::u8),
-        _ => quote!(#p::u16),
     }
 }
 

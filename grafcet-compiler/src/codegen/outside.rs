@@ -82,7 +82,7 @@ pub(super) fn vars_name(model: &Model) -> Ident {
 /// `MotorVars` and `motor.vars()`, where the chart stores variables.
 pub(super) fn vars(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     let Cx { model, p, .. } = cx;
-    let vars = &cx.plan.memory.vars;
+    let vars = &cx.plan.vars;
     let (vis, chart, name, levels) = (&model.vis, &model.name, vars_name(model), types::levels(model));
     let fields = vars.iter().map(|id| {
         let (field, ty) = (public(&model.vars[*id].name), types::rust_type(&model.vars[*id].ty, p));

@@ -36,26 +36,6 @@ pub(super) fn behind(bindings: &TokenStream, tokens: &syn::Expr) -> TokenStream 
     quote!({ #bindings #tokens })
 }
 
-/// `a & b` for `a && b`: the same for values that are read without an effect.
-pub(super) fn eager(expr: &syn::Expr) -> syn::Expr {
-    let mut expr = expr.clone();
-    match &mut expr {
-        syn::Expr::Binary(binary) => {
-            *binary.left = eager(&binary.left);
-            *binary.right = eager(&binary.right);
-            match binary.op {
-                syn::BinOp::And(_) => binary.op = syn::BinOp::BitAnd(syn::token::And::default()),
-                syn::BinOp::Or(_) => binary.op = syn::BinOp::BitOr(syn::token::Or::default()),
-                _ => {}
-            }
-        }
-        syn::Expr::Unary(unary) => *unary.expr = eager(&unary.expr),
-        syn::Expr::Paren(paren) => *paren.expr = eager(&paren.expr),
-        _ => {}
-    }
-    expr
-}
-
 pub(super) fn plain_name(expr: &syn::Expr) -> Option<&Ident> {
     match expr {
         syn::Expr::Path(path) => path.path.get_ident(),

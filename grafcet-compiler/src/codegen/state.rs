@@ -7,7 +7,7 @@ use super::{Cx, derives, names, recipe, types};
 use crate::list::List;
 use crate::model::StepId;
 use crate::place::{self, quote};
-use crate::plan::RegionId;
+use crate::program::RegionId;
 
 /// The enum of a region: the steps, of which at most one is active, what it has beside them, and how it is stored.
 pub(super) struct StateEnum {
@@ -22,25 +22,6 @@ pub(super) struct StateEnum {
     pub(super) marked: bool,
     /// It is as wide as a register, which saves widening it in every evolution. The field holds a byte all the same.
     pub(super) wide: bool,
-}
-
-/// The enums of the regions.
-pub(super) fn enums(cx: &Cx<'_>) -> TokenStream {
-    regions(cx).iter().map(|states| region_enum(cx, states)).tokens()
-}
-
-/// Which enums there are.
-pub(super) fn regions(cx: &Cx<'_>) -> Vec<StateEnum> {
-    let enums = if cx.plan.shape.is_flags() { 0 } else { cx.plan.regions.all().len() };
-    let states = |region: RegionId| StateEnum {
-        region,
-        states: cx.plan.regions.all()[region].steps.clone(),
-        empty: cx.plan.regions.all()[region].may_be_empty,
-        start: cx.has_start_variant(region),
-        marked: cx.is_marked(region),
-        wide: false,
-    };
-    (0..enums).map(states).list()
 }
 
 /// The variants of a region's enum.
@@ -137,54 +118,6 @@ fn from_number(state: &Ident, variants: &[Ident], literal: &impl Fn(usize) -> Li
     });
     let highest = literal(others.len());
     quote!(if number_ >= #highest { #state::#last } else { match number_ { #(#arms)* _ => #state::#rest } })
-}
-
-impl Cx<'_> {
-    /// The first region's state also says that the first cycle is still to come.
-    pub(super) fn has_start_variant(&self, region: RegionId) -> bool {
-        region == 0 && self.plan.has_start
-    }
-
-    /// The first region's state also says that the last search did not become stable.
-    pub(super) fn is_marked(&self, region: RegionId) -> bool {
-        region == 0 && self.plan.may_be_unstable
-    }
-
-    /// The state of a region as the chart holds it.
-    pub(super) fn plain_state(&self, region: RegionId) -> TokenStream {
-        let field = names::region_field(region, self.plan);
-        let state = self.is_marked(region).then(|| quote!(.state()));
-        quote!(self.#field #state)
-    }
-
-    /// `state` as a value of the region's field.
-    pub(super) fn held(&self, region: RegionId, state: &TokenStream) -> TokenStream {
-        if !self.is_marked(region) {
-            return state.clone();
-        }
-        let marked = self.names.marked(self.plan);
-        quote!(#marked::of(#state))
-    }
-
-    /// The chart holds `state` from now on.
-    pub(super) fn set_state(&self, region: RegionId, state: &TokenStream) -> TokenStream {
-        let (field, held) = (names::region_field(region, self.plan), self.held(region, state));
-        quote!(self.#field = #held;)
-    }
-
-    /// `__MotorState::INIT`
-    pub(super) fn start(&self) -> TokenStream {
-        let (region, start) = (self.names.region(0, self.plan), &self.names.start);
-        quote!(#region::#start)
-    }
-
-    /// The state of a region in the initial situation, once entered.
-    pub(super) fn initial(&self, region: RegionId) -> TokenStream {
-        match self.plan.regions.all()[region].initial {
-            Some(step) => self.variant(step),
-            None => self.empty(region),
-        }
-    }
 }
 
 /// The struct, and how it is made.

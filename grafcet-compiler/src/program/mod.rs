@@ -18,6 +18,7 @@ mod lower;
 pub mod passes;
 #[cfg(feature = "program")]
 mod print;
+mod regions;
 #[cfg(feature = "program")]
 pub mod run;
 mod united;
@@ -30,42 +31,21 @@ use crate::model::{
 use crate::sorted::{Set, sort_unstable};
 
 pub use deadline::{Deadline, Wait};
-pub use lower::{Encoding, Refused, counted, naive};
+pub use lower::{Refused, counted, naive};
+pub use regions::{Region, RegionId, Regions};
 pub use united::United;
-
-/// A program may have so many statements for each thing that is written in its chart.
-const LEAN: usize = 2;
 
 /// The program from which the macro prints the cycle of a chart; of one that is recorded it keeps the reading of the clock.
 ///
 /// # Errors
 /// The chart has not passed the checks.
 pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Result<Program<'m>, Refused> {
-    let mut program = naive(model, facts, Encoding::Regions)?;
+    let mut program = naive(model, facts)?;
     if let (Some(reading), true) = (program.place(Role::Reading), recorded) {
         program.places[reading.0].role = Role::Recorded;
     }
     passes::optimise(&mut program, &passes::Pass::ALL);
     Ok(program)
-}
-
-/// The same of a chart of several regions, if what the passes leave of it is not much longer than the chart itself, or no longer than without
-/// them. Where many transitions synchronise the same branches it is longer, as there is a way for each of their outcomes.
-pub(crate) fn lean<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Option<Program<'m>> {
-    let program = optimised(model, facts, recorded).ok()?;
-    let mut written = model.associations.len();
-    for transition in model.transitions.values() {
-        written += 1 + transition.sources.len() + transition.targets.len();
-    }
-    let weight = passes::weight(&program);
-    (weight <= LEAN * written || weight <= flat_weight(model, facts)?).then_some(program)
-}
-
-/// How many statements the program of a chart of several regions has where nothing is looked up by state.
-fn flat_weight(model: &Model, facts: &Facts<'_>) -> Option<usize> {
-    let mut program = naive(model, facts, Encoding::Regions).ok()?;
-    passes::optimise(&mut program, &passes::Pass::FLAT);
-    Some(passes::weight(&program))
 }
 
 /// What a chart does in one cycle.
@@ -158,9 +138,7 @@ pub enum Role {
     State(usize),
     /// Which step of a region, or step of its own, is asked for by hand. Whoever asks sets it before the cycle.
     Asked(usize),
-    /// Whether a step is active.
-    Bit(StepId),
-    /// The time of the active step of a region; under flags, each step is one.
+    /// The time of the active step of a region.
     Time(usize),
     /// The time of a macro-step.
     MacroTime(MacroId),
@@ -399,12 +377,8 @@ impl Program<'_> {
     pub fn active(&self, values: &[Value]) -> Vec<StepId> {
         let mut active = Vec::new();
         for (place, value) in self.places.iter().zip(values) {
-            match (place.role, value) {
-                (Role::State(region), Value::Step(Some(state)) | Value::Start(Some(state))) => {
-                    active.extend(self.active_in(region, *state));
-                }
-                (Role::Bit(step), Value::Bool(true)) => active.push(step),
-                _ => {}
+            if let (Role::State(region), Value::Step(Some(state)) | Value::Start(Some(state))) = (place.role, value) {
+                active.extend(self.active_in(region, *state));
             }
         }
         sort_unstable(&mut active);

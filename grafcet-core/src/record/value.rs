@@ -1,7 +1,7 @@
 //! What can be written down: the values of inputs, of the recipe and of a chart's state.
 
 use super::bits::{Reader, Writer};
-use crate::{Delay, OnDelay, ShortTime, Ticks};
+use crate::Ticks;
 
 /// A value that a record can hold, in a number of bits that is the same for all values of its type.
 ///
@@ -118,7 +118,6 @@ numbers! {
     f64 as u64: f64::to_bits, |n| Some(f64::from_bits(n));
     char as u32: u32::from, char::from_u32;
     Ticks as u32: Ticks::get, |n| Some(Ticks::new(n));
-    ShortTime as u16: ShortTime::count, |n| Some(ShortTime::new(n));
     // As wide as on the widest machine, so that a record means the same everywhere.
     usize as u64: |n| n as u64, |n| usize::try_from(n).ok();
     isize as u64: |n: isize| u64::from_le_bytes((n as i64).to_le_bytes()), |n: u64| isize::try_from(i64::from_le_bytes(n.to_le_bytes())).ok();
@@ -205,40 +204,6 @@ macro_rules! tuples {
 }
 
 tuples! { (A 0) (A 0 B 1) (A 0 B 1 C 2) (A 0 B 1 C 2 D 3) }
-
-impl Record for OnDelay {
-    const BITS: usize = 33;
-
-    fn write(&self, to: &mut Writer<'_>) {
-        self.parts().write(to);
-    }
-
-    fn read(from: &mut Reader<'_>) -> Option<Self> {
-        let (held, input) = Record::read(from)?;
-        Self::of_parts(held, input)
-    }
-
-    fn is_same(&self, other: &Self) -> bool {
-        self == other
-    }
-}
-
-impl Record for Delay {
-    const BITS: usize = 34;
-
-    fn write(&self, to: &mut Writer<'_>) {
-        self.parts().write(to);
-    }
-
-    fn read(from: &mut Reader<'_>) -> Option<Self> {
-        let (held, input, output) = Record::read(from)?;
-        Some(Self::of_parts(held, input, output))
-    }
-
-    fn is_same(&self, other: &Self) -> bool {
-        self == other
-    }
-}
 
 /// Says how values of a type of yours are recorded.
 ///

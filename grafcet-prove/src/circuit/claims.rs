@@ -193,7 +193,6 @@ impl Lowering<'_, '_> {
     pub(super) fn is_active(&mut self, step: StepId, end: &Env) -> Result<Lit, Refused> {
         for (place, sym) in self.program.places.iter().zip(end.iter()) {
             match (place.role, sym) {
-                (Role::Bit(other), Sym::Bool(lit)) if other == step => return Ok(*lit),
                 (Role::State(region), Sym::State(state)) if self.program.regions[region].contains(&step) => {
                     let code = bits::constant(super::sym::code(self.program, step)?);
                     let state = state.clone();

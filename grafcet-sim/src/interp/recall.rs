@@ -46,7 +46,6 @@ impl Recalled {
             Held::TimerOf(target, q, all) => (Held::TimerOf(target, q, Vec::new()), all),
             Held::SetBy(target, q, all) => (Held::SetBy(target, q, Vec::new()), all),
             Held::Acted(target, all) => (Held::Acted(target, Vec::new()), all),
-            Held::CalledBy(action, all) => (Held::CalledBy(action, Vec::new()), all),
             held => {
                 self.values.insert(held, value);
                 return;
@@ -146,8 +145,7 @@ impl Recall<'_> {
         }
         for (id, output) in model.outputs.iter() {
             let place = Place::Output(id);
-            let stored = self.value(&Held::Output(id)).filter(|_| !is_part(model, place));
-            let value = self.value(&Held::Last(id)).or(stored);
+            let value = self.value(&Held::Output(id));
             let value = value.or_else(|| by_state::output(model, id, &self.recalled.steps));
             match value {
                 Some(value) => self.state().outputs[id.index()] = value,
@@ -220,11 +218,9 @@ impl Recall<'_> {
         };
         let callers: Vec<AssociationId> = self.model.associations.iter().filter_map(calls).collect();
         let of_active = || callers.iter().copied().filter(|id| self.is_active(self.model.associations[*id].step));
-        let field = self.truth(&Held::Called(action));
-        let field = field.or_else(|| callers.iter().find_map(|id| self.truth(&Held::Active(*id))));
+        let field = callers.iter().find_map(|id| self.truth(&Held::Active(*id)));
         let active = field.unwrap_or_else(|| of_active().next().is_some());
-        let by = self.recalled.chosen.get(&Held::CalledBy(action, Vec::new()));
-        let by = by.or_else(|| callers.iter().find_map(|id| self.recalled.chosen.get(&Held::Acted(*id, Vec::new()))));
+        let by = callers.iter().find_map(|id| self.recalled.chosen.get(&Held::Acted(*id, Vec::new())));
         let last = by.copied().or_else(|| of_active().next_back()).or_else(|| callers.last().copied());
         (!callers.is_empty()).then_some(Continuous { active, last })
     }
@@ -297,8 +293,7 @@ impl Recall<'_> {
         control.holding.clear();
         for id in driving.iter().filter(|id| was && matches!(qualifier(id), N | L | D)) {
             let by = self.truth(&Held::KeptBy(*id)).unwrap_or(true);
-            let kept = all.iter().find_map(|first| self.truth(&Held::Kept(*first, qualifier(id)))).unwrap_or(true);
-            if by && kept && self.is_active(self.model.associations[*id].step) {
+            if by && self.is_active(self.model.associations[*id].step) {
                 control.holding.insert(*id);
             }
         }
@@ -333,7 +328,7 @@ impl Recall<'_> {
         let Target::Place(place) = target else { return None };
         let only = all.iter().all(|id| self.model.associations[*id].qualifier.sets_or_resets());
         let field = match place {
-            Place::Output(id) => self.truth(&Held::Output(id)).or_else(|| self.truth(&Held::Last(id)).filter(|_| only)),
+            Place::Output(id) => self.truth(&Held::Output(id)).filter(|_| only),
             Place::Var(id) => self.truth(&Held::Var(id)).filter(|_| only),
         };
         let field = field.filter(|_| q == Qualifier::S);

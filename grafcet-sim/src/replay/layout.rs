@@ -34,10 +34,7 @@ enum Width {
     },
     /// Of `f32` or `f64`.
     Float(u32),
-    /// Of 16 or 32 bits.
-    Ticks(usize),
-    Delay,
-    Timer,
+    Ticks,
     /// A region, its states by name, and whether there is a mark above it.
     States(Vec<String>, bool),
     /// So many bytes, a bit for each step.
@@ -74,7 +71,7 @@ impl Layout {
         // Behind the clock's own reading stand those at which times began.
         for began in part(&parts, "clock")?.stream().into_iter().skip(1).filter(|_| unread.is_none()) {
             let name = began.to_string();
-            fields.push(Field { what: what(&name), name, width: Width::Ticks(32) });
+            fields.push(Field { what: what(&name), name, width: Width::Ticks });
         }
         Some(Self { number, fields, unread })
     }
@@ -115,10 +112,7 @@ impl Layout {
         for (held, found) in &recalled.values {
             let (name, value) = match held {
                 Held::Var(id) if !is_part(model, Place::Var(*id)) => (Name::Var(*id), machine.vars()[id.index()]),
-                Held::Output(id) if !is_part(model, Place::Output(*id)) => {
-                    (Name::Output(*id), machine.outputs()[id.index()])
-                }
-                Held::Last(id) => (Name::Output(*id), machine.outputs()[id.index()]),
+                Held::Output(id) => (Name::Output(*id), machine.outputs()[id.index()]),
                 _ => continue,
             };
             if value == *found || value == interp::Value::Unknown {
@@ -169,17 +163,6 @@ impl Field {
                     }
                 }
             }
-            (Width::Delay, Some(Held::Delay(id))) => {
-                let (held, input, output) = (bits.take(32), bits.take(1), bits.take(1));
-                recalled.note(Held::DelayHeld(*id), interp::Value::Ticks(held.ok_or_else(torn)?));
-                recalled.note(Held::DelayInput(*id), interp::Value::Bool(input.ok_or_else(torn)? != 0));
-                recalled.note(Held::DelayOutput(*id), interp::Value::Bool(output.ok_or_else(torn)? != 0));
-            }
-            (Width::Timer, Some(Held::Timer(of, q))) => {
-                let (held, input) = (bits.take(32), bits.take(1));
-                recalled.note(Held::TimerHeld(*of, *q), interp::Value::Ticks(held.ok_or_else(torn)?));
-                recalled.note(Held::TimerInput(*of, *q), interp::Value::Bool(input.ok_or_else(torn)? != 0));
-            }
             (width, what) => {
                 let value = width.read(bits)?;
                 match (what, value) {
@@ -202,7 +185,7 @@ impl Width {
         Ok(Some(match self {
             Self::Bool => Value::Bool(take(1)? != 0),
             Self::Int { signed, bits: width } => Value::Int(int(bits, *width, *signed).ok_or_else(torn)?),
-            Self::Ticks(width) => Value::Ticks(take(*width)?),
+            Self::Ticks => Value::Ticks(take(32)?),
             Self::Float(32) => Value::Real(Real(f32::from_bits(take(32)?).into())),
             Self::Float(_) => {
                 let (low, high) = (take(32)?, take(32)?);
@@ -220,7 +203,7 @@ impl Width {
                 take(bits_for(states.len()) + usize::from(*marked))?;
                 return Ok(None);
             }
-            Self::Flags(_) | Self::Delay | Self::Timer => return Err("a field of another kind".to_owned()),
+            Self::Flags(_) => return Err("a field of another kind".to_owned()),
         }))
     }
 }
@@ -279,10 +262,7 @@ fn number(ty: &str) -> Option<Width> {
     let bits = |signed, digits: &str| digits.parse().ok().map(|bits| Width::Int { signed, bits });
     match ty {
         "bool" => Some(Width::Bool),
-        "Ticks" => Some(Width::Ticks(32)),
-        "ShortTime" => Some(Width::Ticks(16)),
-        "Delay" => Some(Width::Delay),
-        "OnDelay" => Some(Width::Timer),
+        "Ticks" => Some(Width::Ticks),
         "f32" => Some(Width::Float(32)),
         "f64" => Some(Width::Float(64)),
         "usize" => Some(Width::Int { signed: false, bits: 64 }),

@@ -3,9 +3,6 @@
 use std::panic::{self, AssertUnwindSafe};
 use std::time::Duration;
 
-use grafcet_compiler::analysis::{Facts, Races};
-use grafcet_compiler::plan::Plan;
-
 use crate::oracle::Interpreted;
 use crate::reader::{self, Line};
 use crate::recorded::{self, Long, Traces};
@@ -85,7 +82,7 @@ fn report(entry: &Entry, recorded: &[Checks], traces: &mut Traces) -> Result<Fou
             }
         }
     }
-    if !Plan::of(&model, &Facts::of(&model), &Races::default(), false).memory.time {
+    if !model.uses_time() {
         return Ok(None);
     }
     let sleeping = |lines: &[Line]| {

@@ -3,7 +3,7 @@
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::program::run::{Machine, Nothing};
-use grafcet_compiler::program::{Encoding, Role, Value, counted};
+use grafcet_compiler::program::{Role, Value, counted};
 use grafcet_prove::circuit::{Circuit, Source};
 use grafcet_prove::play::{Player, clipped, passed, stored};
 
@@ -23,8 +23,8 @@ pub enum Outcome {
 ///
 /// # Errors
 /// The first difference.
-pub fn compare(model: &Model, lines: &[Line], encoding: Encoding) -> Result<Outcome, String> {
-    let program = counted(model, &Facts::of(model), encoding).map_err(|refused| refused.to_string())?;
+pub fn compare(model: &Model, lines: &[Line]) -> Result<Outcome, String> {
+    let program = counted(model, &Facts::of(model)).map_err(|refused| refused.to_string())?;
     let Ok(circuit) = Circuit::of(&program) else { return Ok(Outcome::Refused) };
     let Ok(mut machine) = Machine::new(&program, &mut Nothing) else { return Ok(Outcome::Refused) };
     let mut player = Player::new(&circuit);

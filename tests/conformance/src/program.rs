@@ -6,7 +6,7 @@ use grafcet_compiler::analysis::{Facts, combinational};
 use grafcet_compiler::model::{Id, Model, OutputId, StepId, TransitionId, Ty, VarId};
 use grafcet_compiler::program::passes::{Pass, optimise};
 use grafcet_compiler::program::run::{Call, Cycle, Machine, Nothing};
-use grafcet_compiler::program::{Encoding, Mark, Phase, PlaceId, Program, Role, Value, naive};
+use grafcet_compiler::program::{Mark, Phase, PlaceId, Program, Role, Value, naive};
 
 use crate::oracle::Interpreted;
 use crate::reader::{Kind, Line};
@@ -149,8 +149,8 @@ pub enum Outcome {
 ///
 /// # Errors
 /// It has none.
-pub fn program<'m>(model: &'m Model, encoding: Encoding, passes: &[Pass]) -> Result<Program<'m>, String> {
-    let mut program = naive(model, &Facts::of(model), encoding).map_err(|refused| refused.to_string())?;
+pub fn program<'m>(model: &'m Model, passes: &[Pass]) -> Result<Program<'m>, String> {
+    let mut program = naive(model, &Facts::of(model)).map_err(|refused| refused.to_string())?;
     optimise(&mut program, passes);
     Ok(program)
 }
@@ -159,12 +159,12 @@ pub fn program<'m>(model: &'m Model, encoding: Encoding, passes: &[Pass]) -> Res
 ///
 /// # Errors
 /// The first difference.
-pub fn compare(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass]) -> Result<Outcome, String> {
+pub fn compare(model: &Model, lines: &[Line], passes: &[Pass]) -> Result<Outcome, String> {
     let mut oracle = match Interpreter::new(model) {
         Ok(oracle) => oracle,
         Err(error) => return Ok(Outcome::NotUnderstood(error.to_string())),
     };
-    let program = program(model, encoding, passes)?;
+    let program = program(model, passes)?;
     let tells = !passes.contains(&Pass::Marks);
     let mut subject = Programmed::new(&program)?;
     let held: Vec<VarId> = model.vars.ids().filter(|id| !combinational::in_order(model).contains(id)).collect();
@@ -211,8 +211,8 @@ pub fn compare(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass
 ///
 /// # Errors
 /// The first difference.
-pub fn sleeps(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass]) -> Result<(), String> {
-    let program = program(model, encoding, passes)?;
+pub fn sleeps(model: &Model, lines: &[Line], passes: &[Pass]) -> Result<(), String> {
+    let program = program(model, passes)?;
     if program.deadline.is_none() {
         return Ok(());
     }
@@ -224,8 +224,8 @@ pub fn sleeps(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass]
 ///
 /// # Errors
 /// The first difference.
-pub fn rests(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass]) -> Result<(), String> {
-    let program = program(model, encoding, passes)?;
+pub fn rests(model: &Model, lines: &[Line], passes: &[Pass]) -> Result<(), String> {
+    let program = program(model, passes)?;
     let Ok(mut oracle) = Interpreted::new(model) else { return Ok(()) };
     match play::in_lockstep(&mut Programmed::new(&program)?, &mut oracle, &without_force(lines)) {
         // Arithmetic that leaves its type.

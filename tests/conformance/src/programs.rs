@@ -7,7 +7,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use grafcet_compiler::model::Model;
-use grafcet_compiler::program::Encoding;
 use grafcet_compiler::program::passes::Pass;
 
 use crate::program::{Outcome, compare, rests, sleeps};
@@ -137,10 +136,9 @@ fn play(grafcet: bool, next: &Next, cycles: usize) -> Result<Part, String> {
     }
 }
 
-/// Each chart in one of the encodings, after all passes or all but one, one in five as it is, some of them asleep too. Whether the
+/// Each chart after all passes or all but one, one in five as it is, some of them asleep too. Whether the
 /// whole timeline was understood.
 fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, String> {
-    let encoding = if (number / 16) % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
     let mut passes = Pass::ALL.to_vec();
     if let Some(left_out) = Pass::ALL.get(usize::try_from(number / 3).unwrap_or(0) % (Pass::ALL.len() + 1)) {
         passes.retain(|pass| pass != left_out);
@@ -148,15 +146,15 @@ fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, String> {
     if number % 5 == 0 {
         passes.clear();
     }
-    let within = |error: String| format!("{encoding:?} {passes:?}: {error}");
-    let outcome = compare(model, lines, encoding, &passes).map_err(within)?;
+    let within = |error: String| format!("{passes:?}: {error}");
+    let outcome = compare(model, lines, &passes).map_err(within)?;
     if (number / 32) % 8 == 0 {
         let lines = &lines[..lines.len().min(40)];
-        sleeps(model, lines, encoding, &passes).map_err(|error| within(format!("asleep: {error}")))?;
+        sleeps(model, lines, &passes).map_err(|error| within(format!("asleep: {error}")))?;
     }
     if (number / 32) % 8 == 1 {
         let lines = &lines[..lines.len().min(60)];
-        rests(model, lines, encoding, &passes).map_err(|error| within(format!("at rest: {error}")))?;
+        rests(model, lines, &passes).map_err(|error| within(format!("at rest: {error}")))?;
     }
     Ok(matches!(outcome, Outcome::Same))
 }

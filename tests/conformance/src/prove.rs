@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::Model;
-use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_compiler::program::{Program, counted};
 use grafcet_prove::circuit::{Bad, Circuit, Live};
 use grafcet_prove::{Limit, Verdict, by_evolutions, decide, decide_home, decide_live, export, vacuous};
 
@@ -130,8 +130,7 @@ pub fn remembering(number: u64, grafcet: bool, bounds: Bounds, counts: &mut Coun
     let Some(graph) = Graph::of(&model, bounds.cycles).map_err(|error| format!("{error}\n{plain}"))? else {
         return Ok(false);
     };
-    let encoding = if number % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
-    let program = counted(&judged, &Facts::of(&judged), encoding).map_err(|refused| refused.to_string())?;
+    let program = counted(&judged, &Facts::of(&judged)).map_err(|refused| refused.to_string())?;
     counts.charts += 1;
     let Ok(circuit) = Circuit::of(&program) else {
         counts.refused += 1;
@@ -175,8 +174,7 @@ fn compare(
     number: u64,
     counts: &mut Counts,
 ) -> Result<(), String> {
-    let encoding = if number % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
-    let program = counted(judged, &Facts::of(judged), encoding).map_err(|refused| refused.to_string())?;
+    let program = counted(judged, &Facts::of(judged)).map_err(|refused| refused.to_string())?;
     counts.charts += 1;
     let Ok(circuit) = Circuit::of(&program) else {
         counts.refused += 1;

@@ -6,7 +6,7 @@ use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::plant;
-use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_compiler::program::{Program, counted};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Limit, Verdict, decide, decide_live, vacuous};
 
@@ -44,8 +44,7 @@ fn compare(
     (number, time): (u64, Duration),
     counts: &mut Counts,
 ) -> Result<(), String> {
-    let encoding = if number % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
-    let program = counted(judged, &Facts::of(judged), encoding).map_err(|refused| refused.to_string())?;
+    let program = counted(judged, &Facts::of(judged)).map_err(|refused| refused.to_string())?;
     let Ok(circuit) = Circuit::of(&program) else {
         counts.refused += 1;
         return Ok(());

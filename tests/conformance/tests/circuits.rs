@@ -3,7 +3,6 @@
 use std::fs;
 
 use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::program::Encoding;
 use grafcet_compiler::{model, parse};
 use grafcet_conformance::circuit::{Outcome, compare};
 use grafcet_conformance::{chart, fragments, random, reader};
@@ -21,12 +20,10 @@ fn every_circuit_of_the_corpus_does_what_its_program_does() {
         let tokens = fragments::plain(&case.chart).parse().expect("tokens");
         let model = parse::chart(tokens, &mut sink).map(|chart| model::resolve(&chart, &mut sink)).expect("a chart");
         _ = sink.finish();
-        for encoding in [Encoding::Regions, Encoding::Flags] {
-            match compare(&model, &case.lines, encoding) {
-                Ok(Outcome::Same(_)) => same += 1,
-                Ok(Outcome::Refused) => refused.push(path.clone()),
-                Err(error) => panic!("{}: {error}", path.display()),
-            }
+        match compare(&model, &case.lines) {
+            Ok(Outcome::Same(_)) => same += 1,
+            Ok(Outcome::Refused) => refused.push(path.clone()),
+            Err(error) => panic!("{}: {error}", path.display()),
         }
     }
     assert!(same > 200 && refused.len() * 20 < same, "{same} the same, refused {refused:?}");
@@ -40,9 +37,8 @@ fn random_circuits_do_what_their_programs_do() {
         let made = random::chart(number, grafcet, 60);
         let Ok(model) = chart::resolve(&made.chart) else { continue };
         let lines = reader::read(&format!("{}---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
-        let encoding = if number % 8 < 2 { Encoding::Flags } else { Encoding::Regions };
         charts += 1;
-        match compare(&model, &lines, encoding) {
+        match compare(&model, &lines) {
             Ok(Outcome::Same(count)) => cycles += count,
             Ok(Outcome::Refused) => refused += 1,
             Err(error) => panic!("{number}: {error}\n{}", made.chart),

@@ -4,7 +4,7 @@ use grafcet_compiler::analysis::{Facts, Prover};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_compiler::{Wanted, compile_with};
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
@@ -20,7 +20,7 @@ fn read(text: &str) -> Model {
 }
 
 fn within(model: &Model, limit: &dyn Fn() -> Limit) -> Vec<Verdict> {
-    let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
+    let program = counted(model, &Facts::of(model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let decided = circuit.homes.iter().map(|home| decide_home(&program, &circuit, home, &limit()));
     decided.collect::<Result<_, _>>().expect("no internal error")
@@ -234,7 +234,7 @@ fn rust_and_what_leaves_its_type_lead_nowhere() {
 #[test]
 fn ways_that_are_none_are_refused() {
     let model = read(PACKER);
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let limit = Limit::none();
     let verdict = decide_home(&program, &circuit, &circuit.homes[0], &limit).expect("no internal error");

@@ -5,7 +5,7 @@ use std::time::Duration;
 use grafcet_compiler::analysis::{Facts, Prover};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::plant;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_compiler::{Wanted, compile_with};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, says_nothing};
@@ -36,7 +36,7 @@ fn broken(text: &str) -> Vec<Option<usize>> {
     let model = plant::model(text.parse().expect("tokens"), &mut sink).expect("a chart");
     let messages: Vec<String> = sink.finish().into_iter().flat_map(|one| one.notes).map(|(_, text)| text).collect();
     assert!(messages.is_empty(), "{messages:?}");
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let limit = Limit::time(Duration::from_secs(600));
     let verdict = |property: usize| {
@@ -188,7 +188,7 @@ fn it_says_nothing_only_where_that_is_proved() {
     let text =
         tank("12s/Fill", "assume valve leads_to full; assume valve && alarm leads_to full;", "never alarm && valve;");
     let model = plant::model(text.parse().expect("tokens"), &mut sink).expect("a chart");
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let limit = Limit::time(Duration::from_secs(600));
     let nothing = |order| says_nothing(&circuit, order, &limit).expect("no internal error").is_some();

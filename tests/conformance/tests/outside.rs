@@ -4,7 +4,7 @@ use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::replay::Shown;
 use grafcet_prove::task::{Invariant, Task};
@@ -23,7 +23,7 @@ fn read(text: &str) -> Model {
 
 fn verdicts(text: &str) -> Vec<Verdict> {
     let model = read(text);
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let verdict = |property: usize| {
         let limit = Limit::none();
@@ -207,7 +207,7 @@ fn an_enum_that_is_listed_in_two_orders_has_no_circuit() {
     };
     assert!(is_proved(&verdicts(&chart("Off, Auto"))[0]));
     let model = read(&chart("Auto, Off"));
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let refused = Circuit::of(&program).expect_err("a place would be two variants");
     assert_eq!(refused.0, "the variants of `Mode`, which are listed in two orders");
 }
@@ -228,7 +228,7 @@ fn a_property_may_follow_from_itself() {
         "sfc C { input part, full: bool; var n: u16 = 0; initial step A; step B { P1 n = n + 1; } step D { P1 n = 0; }
          A -[part && n < MOST]-> B -[!part]-> A; A -[n >= MOST]-> D -[full]-> A; never n > MOST; }",
     );
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let Ok(Verdict::Proved(proof)) = decide(&program, &circuit, circuit.bad[0], &Limit::none()) else {
         panic!("it is proved")
@@ -239,7 +239,7 @@ fn a_property_may_follow_from_itself() {
     let counter = read(
         "sfc C { input go: bool; var n: u8 = 0; initial step A; step B { P1 n = (n + 1) % 5; } A -[go]-> B -[!go]-> A; never n == 7; never n == 3; }",
     );
-    let program = counted(&counter, &Facts::of(&counter), Encoding::Regions).expect("a program");
+    let program = counted(&counter, &Facts::of(&counter)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let fault = |property: usize, depth: usize| {
         let task = Task::new(&circuit, circuit.bad[property].possible);

@@ -5,7 +5,7 @@ use std::time::Duration;
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::plant;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Limit, Verdict, decide};
 
@@ -33,7 +33,7 @@ fn verdicts(text: &str, asked: &[usize]) -> Vec<Verdict> {
     let model = plant::model(text.parse().expect("tokens"), &mut sink).expect("a chart");
     let messages: Vec<String> = sink.finish().into_iter().flat_map(|one| one.notes).map(|(_, text)| text).collect();
     assert!(messages.is_empty(), "{messages:?}");
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let limit = || Limit::time(Duration::from_secs(600));
     let verdict = |property: usize| {

@@ -6,7 +6,7 @@ use grafcet_compiler::analysis::{Facts, Prover};
 use grafcet_compiler::diagnostic::{Diagnostic, Sink};
 use grafcet_compiler::model::{Claim, Id, Model, Wire};
 use grafcet_compiler::plant;
-use grafcet_compiler::program::{Encoding, Role, counted};
+use grafcet_compiler::program::{Role, counted};
 use grafcet_compiler::{Wanted, compile_with, diagnose};
 use grafcet_conformance::prove::{Bounds, Counts};
 use grafcet_conformance::with_plants;
@@ -67,7 +67,7 @@ fn read(text: &str) -> Model {
 }
 
 fn verdicts(model: &Model) -> Vec<Verdict> {
-    let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
+    let program = counted(model, &Facts::of(model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let limit = || Limit::time(Duration::from_secs(600));
     let verdict = |property| match circuit.bad.iter().find(|bad| bad.property == property) {
@@ -215,7 +215,7 @@ fn a_plant_costs_the_controller_nothing() {
 #[test]
 fn the_circuit_does_what_the_closed_loop_does() {
     let model = read(&press("top", "never alarm; never Cylinder::done > 4 || Cylinder::Slipped.X;"));
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let mut seed = 7_u32;
     let mut random = |below: u32| {

@@ -4,7 +4,7 @@ use grafcet_compiler::analysis::{Facts, Prover};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_compiler::{Wanted, compile_with};
 use grafcet_conformance::prove::{Bounds, Counts, remembering};
 use grafcet_prove::circuit::Circuit;
@@ -21,7 +21,7 @@ fn read(text: &str) -> Model {
 }
 
 fn verdicts(model: &Model) -> Vec<Verdict> {
-    let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
+    let program = counted(model, &Facts::of(model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let decided =
         circuit.bad.iter().map(|bad| decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(600))));

@@ -6,7 +6,7 @@ use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_conformance::prove::{Bounds, Counts, Kind, number};
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::{Circuit, Condition};
@@ -25,7 +25,7 @@ fn read(text: &str) -> Model {
 /// `proved`, `in 3` for the last cycle of a way, `from 2 to 3` for cycles that come again and again, or why it is undecided.
 fn verdicts(text: &str) -> Vec<String> {
     let model = read(text);
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let decided = (0..model.properties.len()).map(|property| {
         let limit = Limit::time(Duration::from_secs(600));
@@ -168,7 +168,7 @@ fn random_charts_are_judged_as_brute_force_finds_them() {
 fn what_is_not_always_so_is_no_lemma() {
     let model =
         read("sfc C { input a: bool; initial step A; step B; A -[a]-> B -[3ms/B]-> A; B leads_to A within 3ms; }");
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let is_inductive =
         |now, end| certificate::is_inductive(&circuit, &[Condition { now, end }], &Limit::none()).expect("no limit");
@@ -191,7 +191,7 @@ fn what_comes_again_and_again_is_what_decides() {
         let model = read(&format!(
             "{dialect} C {{ input a, b: bool; var n: u8 = 0; initial step A; step B; step C; step D; {chain} n == 0 leads_to n == 1; }}"
         ));
-        let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+        let program = counted(&model, &Facts::of(&model)).expect("a program");
         let circuit = Circuit::of(&program).expect("a circuit");
         let verdict = decide_live(&program, &circuit, circuit.live[0], &Limit::none()).expect("no internal error");
         assert!(matches!(verdict, Verdict::Endless { .. }), "{chain}: {verdict:?}");

@@ -1,6 +1,16 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+#[allow(clippy::all, clippy::pedantic)]
 impl Lamp {
+    const fn situation_(&self) -> __LampState {
+        match self.situation[0usize] & 1u8 {
+            1u8 => __LampState::Off,
+            _ => __LampState::On,
+        }
+    }
+}
+impl Lamp {
+    #[allow(unused_assignments)]
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
@@ -11,41 +21,53 @@ impl Lamp {
         inputs: &LampInputs,
     ) -> LampOutputs {
         let mut outputs_ = LampOutputs { lamp: false };
+        let before_ = self.situation_();
+        let mut situation_ = before_;
+        let mut now_state_: __LampState = situation_;
+        situation_ = now_state_;
         self.situation[0usize] &= !4u8;
-        let mut evolutions_left_: u32 = 6;
+        let inputs_ = core::hint::black_box(inputs_);
+        let mut evolutions_: u32 = 0;
         loop {
-            let inputs_ = core::hint::black_box(inputs_);
-            let before_ = self.situation;
-            let mut after_ = before_;
-            let mut moved_ = false;
-            if before_[0usize] & 3u8 != 0 {
-                if before_[0usize] & 1u8 != 0 {
+            match now_state_ {
+                __LampState::Off => {
                     if inputs_.on {
-                        after_[0usize] &= !1u8;
-                        after_[0usize] |= 2u8;
-                        moved_ = true;
+                        now_state_ = __LampState::On;
+                    } else {
+                        break;
                     }
-                } else if before_[0usize] & 2u8 != 0 {
+                }
+                __LampState::On => {
                     if inputs_.off {
-                        after_[0usize] &= !2u8;
-                        after_[0usize] |= 1u8;
-                        moved_ = true;
+                        now_state_ = __LampState::Off;
+                    } else {
+                        break;
                     }
                 }
             }
-            if !moved_ {
-                break;
-            }
-            if evolutions_left_ == 0 {
+            situation_ = now_state_;
+            self.situation[0usize] &= !4u8;
+            evolutions_ = evolutions_.wrapping_add(1);
+            if evolutions_ == 6 {
                 self.situation[0usize] |= 4u8;
                 break;
             }
-            evolutions_left_ -= 1;
-            self.situation = after_;
         }
-        let after_ = self.situation;
-        if after_[0usize] & 2u8 != 0 {
-            outputs_.lamp = true;
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
+        match situation_ {
+            __LampState::On => {
+                outputs_.lamp = true;
+            }
+            _ => {}
+        }
+        if situation_ != before_ {
+            self.situation[0usize] = self.situation[0usize] & 252u8
+                | match situation_ {
+                    __LampState::Off => 1u8,
+                    __LampState::On => 2u8,
+                };
         }
         outputs_
     }

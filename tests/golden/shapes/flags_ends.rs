@@ -1,6 +1,19 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+#[allow(clippy::all, clippy::pedantic)]
 impl Lamp {
+    const fn situation_(&self) -> __LampState {
+        if self.situation[0usize] & 4u8 != 0 {
+            return __LampState::INIT;
+        }
+        match self.situation[0usize] & 1u8 {
+            1u8 => __LampState::Off,
+            _ => __LampState::On,
+        }
+    }
+}
+impl Lamp {
+    #[allow(unused_assignments)]
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
     fn cycle(
@@ -11,34 +24,40 @@ impl Lamp {
         inputs: &LampInputs,
     ) -> LampOutputs {
         let mut outputs_ = LampOutputs { lamp: false };
-        loop {
-            let inputs_ = core::hint::black_box(inputs_);
-            let before_ = self.situation;
-            let mut after_ = before_;
-            let mut moved_ = false;
-            if before_[0usize] & 3u8 != 0 {
-                if before_[0usize] & 1u8 != 0 {
-                    if inputs_.on {
-                        after_[0usize] &= !1u8;
-                        after_[0usize] |= 2u8;
-                        moved_ = true;
-                    }
-                } else if before_[0usize] & 2u8 != 0 {
-                    if !inputs_.on {
-                        after_[0usize] &= !2u8;
-                        after_[0usize] |= 1u8;
-                        moved_ = true;
-                    }
+        let before_ = self.situation_();
+        let mut situation_ = before_;
+        match situation_ {
+            __LampState::INIT => {
+                situation_ = __LampState::Off;
+                if inputs_.on {
+                    situation_ = __LampState::On;
                 }
             }
-            if !moved_ {
-                break;
+            __LampState::Off => {
+                if inputs_.on {
+                    situation_ = __LampState::On;
+                }
             }
-            self.situation = after_;
+            __LampState::On => {
+                if !inputs_.on {
+                    situation_ = __LampState::Off;
+                }
+            }
         }
-        let after_ = self.situation;
-        if after_[0usize] & 2u8 != 0 {
-            outputs_.lamp = true;
+        match situation_ {
+            __LampState::On => {
+                outputs_.lamp = true;
+            }
+            _ => {}
+        }
+        if situation_ != before_ {
+            self.situation[0usize] = self.situation[0usize] & 252u8
+                | match situation_ {
+                    __LampState::Off => 1u8,
+                    __LampState::On => 2u8,
+                    _ => 0u8,
+                };
+            self.situation[0usize] &= !4u8;
         }
         outputs_
     }

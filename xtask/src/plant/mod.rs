@@ -1,4 +1,4 @@
-//! Faults planted one by one into the runtime, the plan and the code generator: do the tests of CI find them?
+//! Faults planted one by one into the runtime, the lowering and the code generator: do the tests of CI find them?
 //!
 //! Each is a patch of a few words, put into a copy of the tree. What runs there is what CI runs, with the same random charts;
 //! comparisons with recorded files are left out, as they show every change and judge none.

@@ -84,12 +84,6 @@ impl Races {
         };
         Self { all: all.map(meet).list() }
     }
-
-    /// Whether several stored actions can write the place in one evolution.
-    #[must_use]
-    pub fn are_about(&self, place: Place) -> bool {
-        self.all.iter().any(|meet| meet.place == place)
-    }
 }
 
 /// One stored action that writes a place.

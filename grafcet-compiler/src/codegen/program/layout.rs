@@ -1,12 +1,13 @@
 //! How the places of a program are stored: which are fields, of which type, under which name.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 
 use super::Bodies;
+use super::flags::Flags;
 use super::visit::{self, Seen};
 use crate::codegen::{Cx, force, names};
 use crate::list::PushAll;
-use crate::model::{Id, StepId, Ty};
+use crate::model::{StepId, Ty};
 use crate::place::quote;
 use crate::program::{Arm, Initial, Phase, PlaceId, PlaceInfo, Program, Role, Type, Value};
 use crate::sorted::Set;
@@ -14,8 +15,10 @@ use crate::sorted::Set;
 /// How each place is stored.
 pub(super) struct Layout {
     pub(super) slots: Vec<Slot>,
-    /// The enums of the regions; none, where steps are bits.
+    /// The enums of the regions.
     pub(super) regions: Vec<States>,
+    /// `encoding flags;`: what is stored instead of states.
+    pub(super) flags: Option<Flags>,
     /// Of a search that may have no end: what tells that is a bit above the state of the first region.
     pub(super) mark: Option<Mark>,
     /// The highest number that a place of [`Type::Number`] holds.
@@ -58,8 +61,10 @@ pub(super) enum Kind {
     Late,
     /// In the recipe.
     Param,
-    /// In the bytes of the situation.
-    Bit(usize),
+    /// A local like any other in a cycle: the state of a region, which is stored as bits.
+    Unpacked,
+    /// A bit of the situation, which is not set where the place is true.
+    Unset(usize),
     /// A field with the mark above it.
     Marked,
     /// That mark, which is not there where the place is true.
@@ -72,21 +77,24 @@ impl Layout {
         let mut taken: [Set<String>; 2] = [Set::new(), Set::new()];
         taken[0].extend(["params", "situation"].map(str::to_owned));
         let mut slots = Vec::new();
-        let regions = if cx.plan.shape.is_flags() { 0 } else { program.regions.len() };
-        let is_marked = regions > 0 && program.place(Role::Stable).is_some();
+        let (regions, has_mark) = (program.regions.len(), program.place(Role::Stable).is_some());
+        let is_marked = has_mark && regions > 0 && !cx.model.flags;
         for (index, place) in program.places.iter().enumerate() {
             let kind = match place.role {
                 Role::State(0) if is_marked => Kind::Marked,
                 Role::Stable if is_marked => Kind::Mark,
-                // It follows from the situation.
-                Role::Var(id) if !cx.plan.memory.vars.contains(&id) && !used.places.contains(&PlaceId(index)) => {
-                    Kind::Unused
+                Role::State(_) if cx.model.flags => {
+                    let asked = cx.plan.one_step || used.places.contains(&PlaceId(index));
+                    if asked { Kind::Unpacked } else { Kind::Unused }
                 }
+                // It follows from the situation.
+                Role::Var(id) if !cx.plan.vars.contains(&id) && !used.places.contains(&PlaceId(index)) => Kind::Unused,
                 _ => kind(place, used.places.contains(&PlaceId(index))),
             };
             let name = match place.role {
                 Role::Param(id) => cx.model.params[id].name.clone(),
                 Role::Output(id) if kind == Kind::Result => cx.model.outputs[id].name.clone(),
+                Role::State(region) if cx.model.flags => names::region_local(region, cx.plan),
                 Role::State(region) => names::region_field(region, cx.plan),
                 Role::Asked(region) => force::asked(region),
                 _ if kind == Kind::Local => names::local(&free(&place.name, &mut taken[1])),
@@ -97,9 +105,18 @@ impl Layout {
             }
             slots.push(Slot { name, kind });
         }
-        used.regions.truncate(regions);
+        let flags = cx.model.flags.then(|| Flags {
+            steps: cx.model.steps.len(),
+            start: used.regions.iter().any(|states| states.start.is_some()),
+            unstable: has_mark,
+        });
+        for (place, slot) in program.places.iter().zip(&mut slots) {
+            if let (Role::Stable, Some(flags)) = (place.role, flags) {
+                slot.kind = Kind::Unset(flags.unstable_bit());
+            }
+        }
         let mark = is_marked.then_some(Mark { is_wide: regions == 1 && !used.has_tables });
-        Self { slots, regions: used.regions, mark, highest: used.highest }
+        Self { slots, regions: used.regions, flags, mark, highest: used.highest }
     }
 
     /// Whether a match has an arm for each value.
@@ -180,22 +197,11 @@ impl Layout {
     }
 }
 
-/// The field with the bits of all steps.
-pub(super) fn flags() -> Ident {
-    names::own("situation")
-}
-
-/// The bit of a step: the field, its byte, and the mask.
-pub(super) fn bit(index: usize) -> (Ident, Literal, Literal) {
-    (flags(), Literal::usize_suffixed(index / 8), Literal::u8_suffixed(1 << (index % 8)))
-}
-
 fn kind(place: &PlaceInfo<'_>, used: bool) -> Kind {
     // What others than the cycle look at.
     let shown = matches!(place.role, Role::State(_) | Role::Stable | Role::Var(_) | Role::Recorded);
     match place.role {
         Role::Param(_) => Kind::Param,
-        Role::Bit(step) => Kind::Bit(step.index()),
         _ if !used && !shown => Kind::Unused,
         Role::Asked(_) => Kind::Asked,
         Role::Output(_) if !place.is_field => Kind::Result,

@@ -1,12 +1,14 @@
 //! A program printed as Rust. It knows Rust and nothing of charts: what happens when, the program says.
 //!
 //! - `layout`: how each place is stored
+//! - `flags`: a situation that is stored as bits
 //! - `scope`: where each local is declared
 //! - `statement`, `expr`: what their names say
 //! - `user`: Rust of the user, after bindings of what it reads
 //! - `visit`: a walk through statements and expressions
 
 mod expr;
+mod flags;
 mod layout;
 mod places;
 mod scope;
@@ -16,14 +18,15 @@ mod visit;
 
 use proc_macro2::TokenStream;
 
-use self::layout::{Layout, Mark, Start};
+pub(super) use self::flags::{Flags, bit};
+use self::layout::{Kind, Layout, Mark, Start};
 use self::scope::Scope;
 use super::machine::{Deadline, Machine};
 use super::state::StateEnum;
-use super::{Cx, chart_impl, meaning, names, state, types};
+use super::{Cx, meaning, names, state, types};
 use crate::held::Held;
 use crate::list::List;
-use crate::model::{StepId, Ty};
+use crate::model::{Id, StepId, Ty};
 use crate::place::quote;
 use crate::program::{self, PlaceId, Program, Role, Statement, Wait};
 
@@ -31,8 +34,9 @@ use crate::program::{self, PlaceId, Program, Role, Statement, Wait};
 pub(super) fn meanings(cx: &Cx<'_>, program: &Program<'_>) -> Vec<(String, Held)> {
     let layout = Layout::of(cx, program, &Bodies::of(program));
     let mut held = Vec::new();
-    if cx.plan.shape.is_flags() {
-        held.push((layout::flags().to_string(), Held::Flags { steps: cx.model.steps.ids().list(), has_start: false }));
+    if let Some(flags) = layout.flags {
+        let steps = cx.model.steps.ids().list();
+        held.push((flags::field().to_string(), Held::Flags { steps, has_start: flags.start }));
     }
     for (index, place) in program.places.iter().enumerate() {
         if let (true, Some(what)) = (layout.is_field(PlaceId(index)), meaning::of_role(program, place.role)) {
@@ -61,7 +65,9 @@ impl<'m> Bodies<'m> {
 struct Printer<'p, 'm> {
     cx: &'p Cx<'m>,
     program: &'p Program<'m>,
-    layout: Layout,
+    layout: &'p Layout,
+    /// What is printed is a cycle.
+    within: bool,
     /// Inputs are asked all at once: no jump is worth what it saves. In a loop it is.
     eager: bool,
 }
@@ -72,16 +78,18 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
     let layout = Layout::of(cx, program, &bodies);
     let cycle = &bodies.cycle;
     let eager = !cycle.iter().any(|statement| matches!(statement, Statement::Loop { rounds: 2.., .. }));
-    let printer = Printer { cx, program, layout, eager };
+    let printer = Printer { cx, program, layout: &layout, within: false, eager };
+    let cycles = Printer { cx, program, layout: &layout, within: true, eager };
     Machine {
         types: printer.types(),
         regions: printer.regions(),
+        flags: layout.flags,
         clock: program.place(Role::Recorded).map(|reading| printer.layout.name(reading).clone()),
         began: printer.began(),
         fields: printer.fields(),
         stored: printer.stored(),
-        cycle: printer.cycle(cycle),
-        forced: bodies.forced.as_deref().map(|forced| printer.cycle(forced)),
+        cycle: cycles.cycle(cycle),
+        forced: bodies.forced.as_deref().map(|forced| cycles.cycle(forced)),
         active: cx.model.steps.ids().map(|step| printer.is_active(step)).list(),
         homes: cx.model.steps.ids().map(|step| program.home(step)).list(),
         situation: printer.situation(),
@@ -94,8 +102,9 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
 
 impl<'m> Printer<'_, 'm> {
     fn cycle(&self, cycle: &[Statement<'m>]) -> TokenStream {
-        let scope = Scope::of(self.program, &self.layout, cycle);
+        let scope = Scope::of(self.program, self.layout, cycle);
         let body = self.block(cycle, &scope);
+        let (unpack, pack) = self.layout.flags.map(|flags| self.around(flags, cycle)).unwrap_or_default();
         let (name, model) = (&self.cx.names.outputs, self.cx.model);
         let (mut first, mut last) = (TokenStream::new(), TokenStream::new());
         let mut mutable = None;
@@ -121,7 +130,7 @@ impl<'m> Printer<'_, 'm> {
         {
             first = quote!(const { #first });
         }
-        quote!(let #mutable outputs_ = #first; #body #last outputs_)
+        quote!(let #mutable outputs_ = #first; #unpack #body #pack #last outputs_)
     }
 
     fn deadline(&self, deadline: &program::Deadline<'m>) -> Deadline {
@@ -148,13 +157,16 @@ impl<'m> Printer<'_, 'm> {
 
     /// The private enums of the regions.
     fn types(&self) -> TokenStream {
-        self.regions().iter().map(|states| state::region_enum(self.cx, states)).tokens()
+        let enums = self.regions().iter().map(|states| state::region_enum(self.cx, states)).tokens();
+        let methods = self.layout.flags.and_then(|flags| self.unpacking(flags));
+        quote!(#enums #methods)
     }
 
     fn regions(&self) -> Vec<StateEnum> {
         let (mut regions, mark) = (Vec::new(), self.layout.mark);
         for (region, states) in self.layout.regions.iter().enumerate() {
-            if self.program.place(Role::State(region)).is_none() {
+            let place = self.program.place(Role::State(region));
+            if place.is_none_or(|place| self.layout.slot(place).kind == Kind::Unused) {
                 continue;
             }
             regions.push(StateEnum {
@@ -170,12 +182,11 @@ impl<'m> Printer<'_, 'm> {
     }
 
     fn is_active(&self, step: StepId) -> TokenStream {
-        let (region, states) = self.program.home(step);
-        let place = self.program.place(Role::Bit(step)).or_else(|| self.program.place(Role::State(region)));
-        let Some(place) = place else { return quote!(false) };
-        if self.cx.plan.shape.is_flags() {
-            return self.get(place);
+        if self.layout.flags.is_some() {
+            return flags::is_set(step.index());
         }
+        let (region, states) = self.program.home(step);
+        let Some(place) = self.program.place(Role::State(region)) else { return quote!(false) };
         let starts = matches!(self.layout.regions[region].start, Some(Start(Some(seen))) if states.contains(&seen));
         let start = starts.then(|| self.start(region));
         let states = states.iter().map(|state| self.cx.variant_of(*state, region)).list();
@@ -185,8 +196,8 @@ impl<'m> Printer<'_, 'm> {
     /// The body of `situation`.
     fn situation(&self) -> TokenStream {
         let cx = self.cx;
-        if cx.plan.shape.is_flags() {
-            return self.situation_of_flags();
+        if let (Some(flags), false) = (self.layout.flags, cx.plan.one_step) {
+            return self.situation_of_flags(flags);
         }
         let state = |region| self.program.place(Role::State(region)).map(|place| self.get(place));
         if !cx.plan.one_step {
@@ -212,18 +223,9 @@ impl<'m> Printer<'_, 'm> {
         quote!(match #state { #arms })
     }
 
-    fn situation_of_flags(&self) -> TokenStream {
-        let cx = self.cx;
-        if cx.plan.one_step {
-            return chart_impl::one_by_one(cx, cx.model.steps.ids().map(|step| self.is_active(step)));
-        }
-        let (name, field) = (&cx.names.situation, layout::flags());
-        quote!(#name { steps: self.#field })
-    }
-
     /// The values of the stored variables.
     fn vars(&self) -> Vec<TokenStream> {
-        let vars = self.cx.plan.memory.vars.iter();
+        let vars = self.cx.plan.vars.iter();
         let places = vars.filter_map(|id| self.program.place(Role::Var(*id)));
         places.map(|place| self.get(place)).list()
     }

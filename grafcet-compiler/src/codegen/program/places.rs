@@ -1,15 +1,16 @@
 //! How places are read and written, and the fields that hold them.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
 
 use super::Printer;
 use super::expr::kind_type;
-use super::layout::{Kind, Slot, bit, flags};
+use super::flags::{self, bit};
+use super::layout::{Kind, Slot};
 use super::visit::{self, Seen};
 use crate::codegen::machine::{Began, Field};
 use crate::codegen::{names, rust, types};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{StepId, Ty};
 use crate::place::quote;
 use crate::program::{Deadline, Expr, Initial, PlaceId, PlaceInfo, Role, Type, Value, Wait};
@@ -56,9 +57,11 @@ impl<'m> Printer<'_, 'm> {
                 let state = self.marked();
                 quote!(!self.#state.is_marked())
             }
-            Kind::Bit(index) => {
-                let (field, byte, mask) = bit(*index);
-                quote!((self.#field[#byte] & #mask != 0))
+            Kind::Unpacked if self.within => name.to_token_stream(),
+            Kind::Unpacked => quote!(self.#name()),
+            Kind::Unset(index) => {
+                let is_set = flags::is_set(*index);
+                quote!(!(#is_set))
             }
         }
     }
@@ -68,7 +71,7 @@ impl<'m> Printer<'_, 'm> {
         let Slot { name, kind } = self.layout.slot(place);
         match kind {
             Kind::Unused => quote!(let _ = #value;),
-            Kind::Local | Kind::Asked => quote!(#name = #value;),
+            Kind::Local | Kind::Asked | Kind::Unpacked => quote!(#name = #value;),
             Kind::Result => quote!(outputs_.#name = #value;),
             Kind::Field => quote!(self.#name = #value;),
             Kind::Late => {
@@ -85,12 +88,12 @@ impl<'m> Printer<'_, 'm> {
                     _ => quote!(self.#state = if #value { self.#state.unmarked() } else { self.#state.marked() };),
                 }
             }
-            Kind::Bit(index) => {
-                let (field, byte, mask) = bit(*index);
+            Kind::Unset(index) => {
+                let (field, (byte, mask)) = (flags::field(), bit(*index));
                 match value.to_string().as_str() {
-                    "true" => quote!(self.#field[#byte] |= #mask;),
-                    "false" => quote!(self.#field[#byte] &= !#mask;),
-                    _ => quote!(if #value { self.#field[#byte] |= #mask; } else { self.#field[#byte] &= !#mask; }),
+                    "true" => quote!(self.#field[#byte] &= !#mask;),
+                    "false" => quote!(self.#field[#byte] |= #mask;),
+                    _ => quote!(if #value { self.#field[#byte] &= !#mask; } else { self.#field[#byte] |= #mask; }),
                 }
             }
         }
@@ -151,11 +154,7 @@ impl<'m> Printer<'_, 'm> {
     pub(super) fn fields(&self) -> Vec<Field> {
         let p = &self.cx.p;
         let mut fields = Vec::new();
-        if self.cx.plan.shape.is_flags() {
-            let bytes = Literal::usize_suffixed(self.cx.flag_bytes());
-            let initial = self.cx.initial_flags();
-            fields.push(Field { name: flags(), ty: quote!([#p::u8; #bytes]), initial });
-        }
+        fields.push_all(self.layout.flags.map(|flags| self.flags_field(flags)));
         for index in 0..self.program.places.len() {
             let place = PlaceId(index);
             let Slot { name, kind } = self.layout.slot(place);
@@ -169,7 +168,14 @@ impl<'m> Printer<'_, 'm> {
                     let (marked, initial) = (self.cx.names.marked(self.cx.plan), self.initial(place));
                     fields.push(Field { name, ty: marked.to_token_stream(), initial: quote!(#marked::of(#initial)) });
                 }
-                Kind::Unused | Kind::Local | Kind::Asked | Kind::Result | Kind::Param | Kind::Bit(_) | Kind::Mark => {}
+                Kind::Unused
+                | Kind::Local
+                | Kind::Asked
+                | Kind::Result
+                | Kind::Param
+                | Kind::Unpacked
+                | Kind::Unset(_)
+                | Kind::Mark => {}
             }
         }
         fields

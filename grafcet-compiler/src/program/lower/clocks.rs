@@ -129,17 +129,13 @@ impl<'m> Lower<'_, 'm> {
         if self.time[region].is_some() {
             return;
         }
-        let name = if self.regions.are_flags() {
-            format!("{}.T", self.step_name(step))
-        } else {
-            self.region_name("time", region)
-        };
+        let name = self.region_name("time", region);
         let steps = &self.regions.all()[region].steps;
         let began = self.clocks == Clocks::Read
             && are_literals(changes, &|of| matches!(of, Blinker::Step(step) if steps.contains(step)));
         self.reached[region] = Some(self.local(format!("reached.{name}"), Type::Ticks));
         self.time[region] = Some(if began {
-            let name = name.replacen("time", "since", 1).replace(".T", ".since");
+            let name = self.region_name("since", region);
             Clock::Began(self.field(name, Role::Began(region), Type::Ticks, time()))
         } else {
             Clock::Counted(self.field(name, Role::Time(region), Type::Ticks, time()))
@@ -166,7 +162,6 @@ impl<'m> Lower<'_, 'm> {
             return;
         }
         let name = match blink.of {
-            Blinker::Step(step) if self.regions.are_flags() => self.step_name(step),
             Blinker::Step(step) => self.region_name("state", self.regions.of_step(step)),
             Blinker::Macro(id) => plain(&self.model.macros[id].name),
         };

@@ -127,7 +127,7 @@ impl<'m> Lower<'_, 'm> {
             1 => self.time[0].is_some(),
             regions => !self.model.forceable && regions <= FEW_REGIONS && self.late().is_empty(),
         };
-        few && !others && !twice && !self.regions.are_flags()
+        few && !others && !twice
     }
 
     /// Whether a time of the active step of a region is over has to be remembered where the reading of the last cycle does not tell.

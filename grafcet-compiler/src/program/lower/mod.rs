@@ -31,24 +31,14 @@ mod view;
 
 use std::fmt;
 
-use super::{Expr, PlaceId, PlaceInfo, Program, Search, Statement};
+use super::{Expr, PlaceId, PlaceInfo, Program, Regions, Search, Statement};
 use crate::analysis::{Facts, combinational, hierarchy::masters};
 use crate::list::List;
 use crate::model::{Blinker, Effect, Id, Model, PartialId, Place, Qualifier, StepId, Ty};
-use crate::plan::Regions;
 use crate::sorted::Set;
 
 use clocks::Clock;
 use places::{Delays, Edges, Phases};
-
-/// How a situation is stored.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Encoding {
-    /// Steps that are never active together share a place.
-    Regions,
-    /// A bit for each step.
-    Flags,
-}
 
 /// What has no program.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -72,8 +62,8 @@ impl fmt::Display for Refused {
 ///
 /// # Errors
 /// The chart has not passed them.
-pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Result<Program<'m>, Refused> {
-    program(model, facts, encoding, Clocks::Read)
+pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>) -> Result<Program<'m>, Refused> {
+    program(model, facts, Clocks::Read)
 }
 
 /// The same for a reader that has no clock, such as a circuit: times are counted, and a bound stands at every search. Its plants have
@@ -81,10 +71,10 @@ pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Res
 ///
 /// # Errors
 /// The chart has not passed the checks.
-pub fn counted<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Result<Program<'m>, Refused> {
-    let mut all = program(model, facts, encoding, Clocks::Counted)?;
+pub fn counted<'m>(model: &'m Model, facts: &Facts<'_>) -> Result<Program<'m>, Refused> {
+    let mut all = program(model, facts, Clocks::Counted)?;
     for plant in &model.plants.list {
-        all.plants.push(program(&plant.model, &Facts::of(&plant.model), encoding, Clocks::Counted)?);
+        all.plants.push(program(&plant.model, &Facts::of(&plant.model), Clocks::Counted)?);
     }
     Ok(all)
 }
@@ -96,17 +86,9 @@ enum Clocks {
     Counted,
 }
 
-fn program<'m>(
-    model: &'m Model,
-    facts: &Facts<'_>,
-    encoding: Encoding,
-    clocks: Clocks,
-) -> Result<Program<'m>, Refused> {
+fn program<'m>(model: &'m Model, facts: &Facts<'_>, clocks: Clocks) -> Result<Program<'m>, Refused> {
     possible(model, facts)?;
-    let regions = match encoding {
-        Encoding::Regions => Regions::of(model, &facts.concurrency, &facts.initial),
-        Encoding::Flags => Regions::flags(model, &facts.initial),
-    };
+    let regions = Regions::of(model, &facts.concurrency, &facts.initial);
     let mut lower = Lower::new(model, &regions, facts, clocks);
     let Cycles { own: cycle, forced } = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
     let deadline = lower.deadline();

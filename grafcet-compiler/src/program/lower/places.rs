@@ -4,8 +4,7 @@ use super::{Clocks, Lower, Set};
 use crate::analysis::{Facts, combinational, edges_only_help};
 use crate::list::List;
 use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
-use crate::plan::Regions;
-use crate::program::{Initial, PlaceId, PlaceInfo, Role, Type, Value};
+use crate::program::{Initial, PlaceId, PlaceInfo, Regions, Role, Type, Value};
 use crate::sorted::sort_by_key;
 
 /// An edge: what it compares with, and what its expression is now.
@@ -129,17 +128,11 @@ impl<'r, 'm> Lower<'r, 'm> {
     /// The situation and its copy.
     fn situation(&mut self) {
         for region in 0..self.regions.all().len() {
-            let steps = &self.regions.all()[region].steps;
             let active = self.regions.all()[region].initial;
-            let (name, role, ty, initial) = if self.regions.are_flags() {
-                let name = format!("{}.X", self.step_name(steps[0]));
-                (name, Role::Bit(steps[0]), Type::Bool, Value::Bool(active.is_some()))
-            } else {
-                let name = self.region_name("state", region);
-                (name, Role::State(region), Type::State(region), Value::Step(active))
-            };
+            let name = self.region_name("state", region);
             let was = format!("was.{name}");
-            let state = self.field(name, role, ty, Initial::Value(initial));
+            let initial = Initial::Value(Value::Step(active));
+            let state = self.field(name, Role::State(region), Type::State(region), initial);
             self.state.push(state);
             let was = self.situation_like(was, state);
             self.was.push(was);

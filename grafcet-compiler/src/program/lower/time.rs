@@ -129,12 +129,7 @@ impl<'m> Lower<'_, 'm> {
     /// Whether another step of the region is active now, or (A4s) the same one again. A4g: in a `grafcet` that one stays active.
     fn is_entered(&self, region: usize) -> Expr<'m> {
         if self.model.is_grafcet() {
-            let changed = differ(self.was[region], self.state[region]);
-            return if self.regions.are_flags() {
-                all(vec![Expr::Place(self.state[region]), not(Expr::Place(self.was[region]))])
-            } else {
-                changed
-            };
+            return differ(self.was[region], self.state[region]);
         }
         let steps = &self.regions.all()[region].steps;
         any(steps.iter().map(|step| Expr::Place(self.entered[step.index()])).list())

@@ -105,8 +105,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     pub(super) fn in_step(&self, regions: &[PlaceId], step: StepId) -> Expr<'m> {
-        let place = regions[self.regions.of_step(step)];
-        if self.regions.are_flags() { Expr::Place(place) } else { Expr::Is(place, vec![step]) }
+        Expr::Is(regions[self.regions.of_step(step)], vec![step])
     }
 
     pub(super) fn active(&self, step: StepId, moment: Moment) -> Expr<'m> {
@@ -190,13 +189,11 @@ impl<'m> Lower<'_, 'm> {
     /// Takes a step out of the situation, or puts it in.
     pub(super) fn put(&self, step: StepId, active: bool) -> Statement<'m> {
         let place = self.state[self.regions.of_step(step)];
-        let value = if self.regions.are_flags() { Value::Bool(active) } else { Value::Step(active.then_some(step)) };
-        Statement::Set(place, Expr::Value(value))
+        Statement::Set(place, Expr::Value(Value::Step(active.then_some(step))))
     }
 
     /// What a step of a partial grafcet, or of all, does not stand in any more.
     pub(super) fn empty(&self, region: usize) -> Statement<'m> {
-        let value = if self.regions.are_flags() { Value::Bool(false) } else { Value::Step(None) };
-        Statement::Set(self.state[region], Expr::Value(value))
+        Statement::Set(self.state[region], Expr::Value(Value::Step(None)))
     }
 }

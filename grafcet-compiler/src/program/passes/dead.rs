@@ -24,10 +24,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
     for (index, place) in program.places.iter_mut().enumerate() {
         // Each cycle writes it before something reads it.
-        let is_state = matches!(
-            place.role,
-            Role::State(_) | Role::Bit(_) | Role::Var(_) | Role::Param(_) | Role::Stable | Role::Recorded
-        );
+        let is_state =
+            matches!(place.role, Role::State(_) | Role::Var(_) | Role::Param(_) | Role::Stable | Role::Recorded);
         if !is_state
             && base.contains(PlaceId(index))
             && !begins.contains(PlaceId(index))
@@ -41,8 +39,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
 
 /// Whether somebody outside looks at a place.
 pub(super) fn is_seen(place: &PlaceInfo<'_>) -> bool {
-    use Role::{Bit, Output, Param, Recorded, Stable, State, Var};
-    matches!(place.role, State(_) | Bit(_) | Output(_) | Var(_) | Param(_) | Stable | Recorded)
+    use Role::{Output, Param, Recorded, Stable, State, Var};
+    matches!(place.role, State(_) | Output(_) | Var(_) | Param(_) | Stable | Recorded)
 }
 
 fn waits_for(deadline: Option<&Deadline<'_>>, place: PlaceId) -> bool {

@@ -170,10 +170,6 @@ impl Pass {
         Self::Fences,
     ];
 
-    /// Those that look nothing up by state.
-    pub(crate) const FLAT: [Self; 7] =
-        [Self::Marks, Self::Decompose, Self::Outputs, Self::Peel, Self::Hoist, Self::Forward, Self::Dead];
-
     /// Whether it takes for granted that a state is entered by the ways of the chart's own cycle alone.
     fn follows_cycles(self) -> bool {
         matches!(
@@ -285,11 +281,6 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     if wants(Pass::Fences) {
         fences::pass(program);
     }
-}
-
-/// How many statements there are.
-pub(crate) fn weight(program: &Program<'_>) -> usize {
-    several::weight(&program.cycle)
 }
 
 /// Nobody observes.

@@ -65,7 +65,7 @@ pub(super) fn pass(program: &mut Program<'_>, tells: bool) {
 
 impl<'m> Search<'m> {
     fn of(program: &Program<'m>, places: &mut Vec<PlaceInfo<'m>>) -> Option<Self> {
-        let is_situation = |role| matches!(role, Role::State(_) | Role::Bit(_));
+        let is_situation = |role| matches!(role, Role::State(_));
         if places.iter().filter(|place| is_situation(place.role)).count() != 1 {
             return None;
         }

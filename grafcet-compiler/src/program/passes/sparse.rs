@@ -143,16 +143,16 @@ impl Index {
 }
 
 impl Index {
-    /// The same of one of several regions, whose states are written up to the statement `last`; the truths that are false in front of it are `assumed`.
+    /// The same of one of several regions, whose states are written up to the statement `end`; the truths that are false in front of it are `assumed`.
     pub(super) fn of_region(
         places: &[PlaceInfo<'_>],
         list: &[Statement<'_>],
         state: PlaceId,
         assumed: &[bool],
         points: &States,
-        last: usize,
+        end: usize,
     ) -> Self {
-        Sparse::new(places, state, None, assumed, points).index(list, last)
+        Sparse::new(places, state, None, assumed, points).index(list, end)
     }
 
     /// All statements in all states; none of them writes the state.
@@ -261,15 +261,15 @@ impl<'s, 'm> Sparse<'s, 'm> {
         }
     }
 
-    /// The statements by where they matter; no state is written behind the statement `last`.
-    fn index(&mut self, list: &[Statement<'m>], last: usize) -> Index {
+    /// The statements by where they matter; no state is written behind the statement `end`.
+    fn index(&mut self, list: &[Statement<'m>], end: usize) -> Index {
         let none = vec![Vec::new(); self.points.all.len()];
         let forks = vec![false; self.places.len()];
-        let mut index = Index { always: Vec::new(), before: none.clone(), after: none, last, forks };
+        let mut index = Index { always: Vec::new(), before: none.clone(), after: none, last: end, forks };
         let start = list.iter().position(|statement| writes(statement, self.state)).unwrap_or(list.len());
         for (at, statement) in list.iter().enumerate() {
             self.is_before = at < start;
-            self.is_after = at > last;
+            self.is_after = at > end;
             let support = self.visit(statement, &Support::all());
             match (support.before, support.after) {
                 (Points::All, Points::All) => index.always.push(at),

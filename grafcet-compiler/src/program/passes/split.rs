@@ -76,7 +76,7 @@ pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
 
 impl Split {
     fn of(program: &Program<'_>) -> Option<Self> {
-        let is_situation = |role| matches!(role, Role::State(_) | Role::Bit(_));
+        let is_situation = |role| matches!(role, Role::State(_));
         if program.places.iter().filter(|place| is_situation(place.role)).count() != 1 {
             return None;
         }

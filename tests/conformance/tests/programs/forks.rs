@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use grafcet_compiler::program::Encoding;
 use grafcet_compiler::program::passes::Pass;
 use grafcet_conformance::program::program as optimised;
 
@@ -21,7 +20,7 @@ const INPUTS: [(&str, bool); 5] = [("start", false), ("a", false), ("b", false),
 fn text(chart: &str, left_out: &[Pass]) -> String {
     let mut passes = Pass::ALL.to_vec();
     passes.retain(|pass| !left_out.contains(pass));
-    optimised(&read(chart), Encoding::Regions, &passes).expect("a program").to_string()
+    optimised(&read(chart), &passes).expect("a program").to_string()
 }
 
 fn is_the_same(chart: &str) {

@@ -11,7 +11,7 @@ use grafcet_compiler::model::{self, Id, Model, OutputId, Place, Read};
 use grafcet_compiler::parse;
 use grafcet_compiler::program::passes::Pass;
 use grafcet_compiler::program::run::{Error, Foreign, Machine};
-use grafcet_compiler::program::{Encoding, Program, Refused, Role, Statement, Value, naive};
+use grafcet_compiler::program::{Refused, Role, Statement, Value, naive};
 use grafcet_conformance::program::{Outcome, Programmed, compare, program as optimised, sleeps};
 use grafcet_conformance::{chart, fragments, play, random, reader};
 use proc_macro2::TokenStream;
@@ -25,8 +25,6 @@ mod synchronised;
 #[path = "../../../charts/mod.rs"]
 #[allow(dead_code, unreachable_pub, reason = "its other half is for expansions")]
 mod charts;
-
-const ENCODINGS: [Encoding; 2] = [Encoding::Regions, Encoding::Flags];
 
 fn corpus() -> Vec<(String, String)> {
     let entries = fs::read_dir(env!("CARGO_MANIFEST_DIR")).expect("the corpus is there");
@@ -51,7 +49,7 @@ fn read(text: &str) -> Model {
     resolved(fragments::plain(text).parse().expect("tokens"))
 }
 
-/// Every file of the corpus in both encodings, naive and after all passes, what `next_deadline` says included.
+/// Every file of the corpus, naive and after all passes, what `next_deadline` says included.
 #[test]
 fn every_program_behaves_as_worked_out_by_hand() {
     let (mut played, mut failures) = (0, String::new());
@@ -62,25 +60,19 @@ fn every_program_behaves_as_worked_out_by_hand() {
             // A program makes no cycle by hand.
             continue;
         }
-        let all: [(Encoding, &[Pass]); 4] = [
-            (Encoding::Regions, &[]),
-            (Encoding::Flags, &[]),
-            (Encoding::Regions, &Pass::ALL),
-            (Encoding::Flags, &Pass::ALL),
-        ];
-        for (encoding, passes) in all {
-            let result = optimised(&model, encoding, passes).and_then(|program| {
+        for passes in [&[][..], &Pass::ALL] {
+            let result = optimised(&model, passes).and_then(|program| {
                 let mut subject = Programmed::new(&program)?;
                 play::against_the_file(&mut subject, &case.lines).map_err(|difference| difference.to_string())
             });
             match result {
                 Ok(()) => played += 1,
-                Err(error) => _ = writeln!(failures, "{name} {encoding:?}, {} passes: {error}", passes.len()),
+                Err(error) => _ = writeln!(failures, "{name}, {} passes: {error}", passes.len()),
             }
         }
     }
     assert!(failures.is_empty(), "\n{failures}");
-    assert!(played > 560, "only {played} are played");
+    assert!(played > 380, "only {played} are played");
 }
 
 /// Always the same charts; `cargo xtask conformance --program` compares more.
@@ -91,14 +83,13 @@ fn random_charts_do_what_the_interpreter_does() {
         let made = random::chart(seed, grafcet, 40);
         let Ok(model) = chart::resolve(&made.chart) else { continue };
         let lines = reader::read(&format!("{}---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
-        let encoding = ENCODINGS[usize::from(seed % 3 == 0)];
-        match compare(&model, &lines, encoding, &[]) {
+        match compare(&model, &lines, &[]) {
             Ok(Outcome::Same) => compared += 1,
             Ok(Outcome::NotUnderstood(_)) => {}
-            Err(error) => _ = writeln!(failures, "{grafcet} {seed} {encoding:?}: {error}\n{}", made.chart),
+            Err(error) => _ = writeln!(failures, "{grafcet} {seed}: {error}\n{}", made.chart),
         }
-        if let Err(error) = sleeps(&model, &lines[..lines.len().min(10)], encoding, &[]) {
-            _ = writeln!(failures, "{grafcet} {seed} {encoding:?} asleep: {error}\n{}", made.chart);
+        if let Err(error) = sleeps(&model, &lines[..lines.len().min(10)], &[]) {
+            _ = writeln!(failures, "{grafcet} {seed} asleep: {error}\n{}", made.chart);
         }
     }
     assert!(failures.is_empty(), "\n{failures}");
@@ -125,19 +116,19 @@ fn passes_left_out(seeds: Range<u64>, grafcet: bool) -> usize {
         let made = random::chart(seed, grafcet, 40);
         let Ok(model) = chart::resolve(&made.chart) else { continue };
         let lines = reader::read(&format!("{}---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
-        let whole = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let whole = optimised(&model, &Pass::ALL).expect("a program");
         matched += usize::from(is_match(&whole.cycle));
         let in_turn = Pass::ALL.into_iter().cycle().skip(charts * EACH).take(EACH);
         for left_out in in_turn.map(Some).chain([None]) {
             let mut passes = Pass::ALL.to_vec();
             // What observers are told is compared, too.
             passes.retain(|pass| Some(*pass) != left_out && (*pass != Pass::Marks || seed % 2 == 0));
-            match compare(&model, &lines, Encoding::Regions, &passes) {
+            match compare(&model, &lines, &passes) {
                 Ok(Outcome::Same) => compared += 1,
                 Ok(Outcome::NotUnderstood(_)) => {}
                 Err(error) => _ = writeln!(failures, "{grafcet} {seed} without {left_out:?}: {error}\n{}", made.chart),
             }
-            if let Err(error) = sleeps(&model, &lines[..lines.len().min(10)], Encoding::Regions, &passes) {
+            if let Err(error) = sleeps(&model, &lines[..lines.len().min(10)], &passes) {
                 _ = writeln!(failures, "{grafcet} {seed} without {left_out:?} asleep: {error}\n{}", made.chart);
             }
         }
@@ -166,15 +157,13 @@ fn a_block_that_ends_is_looked_at_again() {
          A -[go]-> B -[!go]-> A; }",
     );
     let lines = reader::read("---\n---\n@0 | |\ngo @1 | |\ngo @30 | |\n").expect("a timeline").lines;
-    for encoding in ENCODINGS {
-        assert_eq!(sleeps(&model, &lines, encoding, &[]), Ok(()), "{encoding:?}");
-    }
+    assert_eq!(sleeps(&model, &lines, &[]), Ok(()));
 }
 
 /// What the checks refuse has no program, whoever asks.
 #[test]
 fn what_has_no_meaning_is_refused() {
-    let refused = |text: &str| naive(&read(text), &Facts::of(&read(text)), Encoding::Regions).err();
+    let refused = |text: &str| naive(&read(text), &Facts::of(&read(text))).err();
     let circle = "grafcet C { var a, b: bool; initial step A { a if b; b if a; } step B; A -[a]-> B -[true]-> A; }";
     assert_eq!(refused(circle), Some(Refused::Circle));
     let forcing = "grafcet C { partial Up { initial step A { force Down {}; } step A2; A -[true]-> A2 -[true]-> A; }
@@ -211,7 +200,7 @@ fn rust_that_is_not_looked_into_is_asked_for() {
         "sfc C { input level: i16; output n: u8; initial step A; step B { P1 { for _ in 0..3 { n += 1; } } } \
          A -[level.abs() > 5]-> B -[level.abs() < 5]-> A; }",
     );
-    let program = naive(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = naive(&model, &Facts::of(&model)).expect("a program");
     let mut machine = Machine::new(&program, &mut Known).expect("initial values");
     let n = program.place(Role::Output(OutputId::new(0))).expect("an output");
     let mut shown = Vec::new();
@@ -232,18 +221,12 @@ fn programs_are_as_recorded() {
             let mut text = String::new();
             for chart in charts::charts(&rust) {
                 let model = resolved(chart);
-                let encoding = if model.flags { Encoding::Flags } else { Encoding::Regions };
-                let program = optimised(&model, encoding, passes).expect("a program");
+                let program = optimised(&model, passes).expect("a program");
                 _ = write!(text, "{}{program}", if text.is_empty() { "" } else { "\n\n" });
             }
             recorded(&root.join(format!("tests/golden/{folder}/{name}.txt")), &text);
         }
     }
-    let flags = read(
-        "sfc Pair { input b1, b2: bool; output q: bool; initial step S1; step S2 { q; } S1 -[b1]-> S2 -[b2]-> S1; }",
-    );
-    let program: Program<'_> = naive(&flags, &Facts::of(&flags), Encoding::Flags).expect("a program");
-    recorded(&root.join("tests/golden/program/flags.txt"), &program.to_string());
 }
 
 fn recorded(path: &Path, now: &str) {

@@ -2,7 +2,7 @@
 
 use grafcet_compiler::model::{Id, InputId, OutputId};
 use grafcet_compiler::program::passes::{Pass, optimise};
-use grafcet_compiler::program::{Comparison, Encoding, Expr, PlaceId, Program, Role, Statement, Type, Value};
+use grafcet_compiler::program::{Comparison, Expr, PlaceId, Program, Role, Statement, Type, Value};
 use grafcet_conformance::program::program as optimised;
 
 use super::passes::kettle;
@@ -17,7 +17,7 @@ const TWO: &str = "grafcet Two { input a, b: bool; output p: bool; partial Up { 
 #[test]
 fn what_only_some_states_do_is_not_hoisted() {
     let model = read(TWO);
-    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let mut program = optimised(&model, &[]).expect("a program");
     let state = program.place(Role::State(1)).expect("a region");
     let p = program.place(Role::Output(OutputId::new(0))).expect("an output");
     let set = || vec![Statement::Set(p, Expr::Value(Value::Bool(true)))];
@@ -39,7 +39,7 @@ fn what_only_some_states_do_is_not_hoisted() {
 #[test]
 fn what_leads_to_one_state_from_all_others_is_no_question() {
     let model = read(TWO);
-    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let mut program = optimised(&model, &[]).expect("a program");
     let state = program.place(Role::State(1)).expect("a region");
     let [one, other] = program.regions[1][..] else { panic!("two steps") };
     let arm = |from, to| (vec![Value::Step(from)], vec![Statement::Set(state, Expr::Value(Value::Step(to)))]);
@@ -57,7 +57,7 @@ fn what_leads_to_one_state_from_all_others_is_no_question() {
 #[test]
 fn what_a_round_reads_first_stays_in_it() {
     let model = read(CELL);
-    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let mut program = optimised(&model, &[]).expect("a program");
     let [one, other, ..] = locals(&program)[..] else { panic!("two locals") };
     let on = || Statement::Set(other, Expr::Value(Value::Bool(true)));
     for (front, moved) in [(vec![], true), (vec![Statement::Set(one, Expr::Place(other))], false)] {
@@ -72,7 +72,7 @@ fn what_a_round_reads_first_stays_in_it() {
 #[test]
 fn what_changes_alone_is_compared() {
     let model = read(CELL);
-    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let mut program = optimised(&model, &[]).expect("a program");
     let [moves, next, asked, ..] = locals(&program)[..] else { panic!("three locals") };
     let value = program.place(Role::Output(OutputId::new(0))).expect("an output");
     let set = |place, holds| Statement::Set(place, Expr::Value(Value::Bool(holds)));
@@ -99,7 +99,7 @@ fn what_changes_alone_is_compared() {
 #[test]
 fn a_value_waits_for_the_end_of_the_round_where_somebody_could_see_the_difference() {
     let model = read(CELL);
-    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let mut program = optimised(&model, &[]).expect("a program");
     let [next, asked, seen, ..] = locals(&program)[..] else { panic!("three locals") };
     let value = program.place(Role::Output(OutputId::new(0))).expect("an output");
     let on = Expr::Value(Value::Bool(true));
@@ -125,7 +125,7 @@ fn a_value_waits_for_the_end_of_the_round_where_somebody_could_see_the_differenc
 #[test]
 fn a_time_begins_on_each_way_where_one_to_a_step_that_asks_does_not_begin_it() {
     let model = read(CELL);
-    let naive = || optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let naive = || optimised(&model, &[]).expect("a program");
     let state = naive().place(Role::State(2)).expect("a region");
     let since = naive().place(Role::Began(2)).expect("a region by time");
     let [was, ..] = copies(&naive(), 2)[..] else { panic!("a copy of the state") };
@@ -185,7 +185,7 @@ fn what_begins_alike_is_set_where_it_may_have_changed() {
          Off -[on]-> On -[5ms/On || !on]-> Off; }",
     );
     let passes: Vec<Pass> = Pass::ALL.into_iter().take_while(|pass| *pass != Pass::Starting).collect();
-    let naive = || optimised(&model, Encoding::Regions, &passes).expect("a program");
+    let naive = || optimised(&model, &passes).expect("a program");
     let first = naive().place(Role::First).expect("a first cycle");
     let [a, b] = [0, 1].map(|at| naive().place(Role::Output(OutputId::new(at))).expect("an output"));
     let set = |place, holds| Statement::Set(place, Expr::Value(Value::Bool(holds)));
@@ -239,7 +239,7 @@ fn ways_that_do_not_tell_whether_they_have_moved_keep_saying_it() {
     }
     let model = read(&kettle(""));
     let passes: Vec<Pass> = Pass::ALL.into_iter().take_while(|pass| *pass != Pass::Before).collect();
-    let naive = || optimised(&model, Encoding::Regions, &passes).expect("a program");
+    let naive = || optimised(&model, &passes).expect("a program");
     let settled = naive().place(Role::Settled).expect("what is told");
     let says = |wrong: Option<usize>| {
         let (mut program, mut said) = (naive(), 0);

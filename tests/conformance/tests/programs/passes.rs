@@ -9,7 +9,7 @@ use std::time::Instant;
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::program::passes::{Pass, optimise};
-use grafcet_compiler::program::{Encoding, Role, Statement, naive};
+use grafcet_compiler::program::{Role, Statement, naive};
 use grafcet_conformance::program::{Outcome, compare, program as optimised, sleeps};
 use grafcet_conformance::reader;
 
@@ -99,8 +99,8 @@ fn each_pass_is_as_recorded() {
         ]
         .contains(&pass);
         let tidy = if shaping { &[Pass::Dead][..] } else { &[] };
-        let before = optimised(&model, Encoding::Regions, &[&Pass::ALL[..at], tidy].concat()).expect("a program");
-        let after = optimised(&model, Encoding::Regions, &[&Pass::ALL[..=at], tidy].concat()).expect("a program");
+        let before = optimised(&model, &[&Pass::ALL[..at], tidy].concat()).expect("a program");
+        let after = optimised(&model, &[&Pass::ALL[..=at], tidy].concat()).expect("a program");
         assert_ne!(before.to_string(), after.to_string(), "{pass:?}");
         recorded(
             &root.join(format!("{pass:?}.txt").to_lowercase()),
@@ -140,7 +140,7 @@ fn fences_stand_by_the_shape_of_an_evolution() {
         (&circle, "  fence\n  match state", None),
         (&long, "    fence inputs\n    fence\n", Some("fence on ARMv6-M")),
     ] {
-        let text = optimised(&read(chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string();
+        let text = optimised(&read(chart), &Pass::ALL).expect("a program").to_string();
         assert!(text.contains(there), "{there}\n{text}");
         assert!(elsewhere.is_none_or(|elsewhere| !text.contains(elsewhere)), "{elsewhere:?}\n{text}");
     }
@@ -290,7 +290,7 @@ fn searches_of_one_region_end_where_they_have_to() {
         (mostly, "A: p = false"),
     ] {
         let model = read(chart);
-        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let program = optimised(&model, &Pass::ALL).expect("a program");
         assert!(program.to_string().contains(has), "{program}");
         let mut text = "---\n---\n".to_owned();
         for cycle in 0..200_u32 {
@@ -302,7 +302,7 @@ fn searches_of_one_region_end_where_they_have_to() {
     }
     let stored = |chart: &str| {
         let model = read(chart);
-        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let program = optimised(&model, &Pass::ALL).expect("a program");
         let outputs =
             program.places.into_iter().filter(|place| place.is_field && matches!(place.role, Role::Output(_)));
         outputs.map(|place| place.name).collect::<Vec<_>>()
@@ -319,7 +319,7 @@ fn a_table_says_how_long_each_step_takes() {
         "sfc Lights { input a: bool; output r, y, g: bool; initial step A { g; } step B { y; } step C { r; } step D { r; y; } step E { y; } \
          A -[a && 5ms/A]-> B -[3ms/B]-> C -[70000ms/C]-> D -[2ms/D]-> E -[4ms/E]-> A; }",
     );
-    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    let program = optimised(&model, &Pass::ALL).expect("a program");
     assert!(program.to_string().contains("times(state)"), "{program}");
     let mut text = "---\n---\n".to_owned();
     let mut now = 0;
@@ -328,15 +328,15 @@ fn a_table_says_how_long_each_step_takes() {
         _ = writeln!(text, "{} @{now} | |", ["a", "", ""][(cycle / 4 % 3) as usize]);
     }
     let lines = reader::read(&text).expect("a timeline").lines;
-    assert!(matches!(compare(&model, &lines, Encoding::Regions, &Pass::ALL), Ok(Outcome::Same)));
-    assert_eq!(sleeps(&model, &lines[..60], Encoding::Regions, &Pass::ALL), Ok(()));
+    assert!(matches!(compare(&model, &lines, &Pass::ALL), Ok(Outcome::Same)));
+    assert_eq!(sleeps(&model, &lines[..60], &Pass::ALL), Ok(()));
 }
 
 /// Steps that wait for the same, each of which leads elsewhere, at the times at which they do.
 #[test]
 fn steps_that_wait_for_the_same_lead_elsewhere() {
     let model = read(&wash());
-    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    let program = optimised(&model, &Pass::ALL).expect("a program");
     assert!(program.to_string().contains("if goes:"), "{program}");
     let mut text = "---\n---\n".to_owned();
     for cycle in 0..400_u32 {
@@ -356,7 +356,7 @@ fn a_table_says_which_step_is_next() {
 
 fn goes_by_table(chart: &str, table: &str) {
     let model = read(chart);
-    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    let program = optimised(&model, &Pass::ALL).expect("a program");
     assert!(program.to_string().contains(table), "{program}");
     let mut text = "---\n---\n".to_owned();
     for cycle in 0..80_u32 {
@@ -364,7 +364,7 @@ fn goes_by_table(chart: &str, table: &str) {
         _ = writeln!(text, "{inputs} @{cycle} | |");
     }
     let lines = reader::read(&text).expect("a timeline").lines;
-    assert!(matches!(compare(&model, &lines, Encoding::Regions, &Pass::ALL), Ok(Outcome::Same)));
+    assert!(matches!(compare(&model, &lines, &Pass::ALL), Ok(Outcome::Same)));
 }
 
 /// A step that no way leaves has no arm where the next state is decided, and keeps its state where that is stored.
@@ -409,7 +409,7 @@ fn a_long_chart_takes_time_by_its_length() {
         let facts = Facts::of(&model);
         let mut best = f64::INFINITY;
         for _ in 0..5 {
-            let mut program = naive(&model, &facts, Encoding::Regions).expect("a program");
+            let mut program = naive(&model, &facts).expect("a program");
             let start = processor_seconds();
             optimise(&mut program, &Pass::ALL);
             best = best.min(processor_seconds() - start);
@@ -441,7 +441,7 @@ fn long_selections_are_not_taken_apart_again_and_again() {
     for chart in [selection(false), selection(true)] {
         let model = read(&chart);
         let start = Instant::now();
-        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let program = optimised(&model, &Pass::ALL).expect("a program");
         assert!(!program.cycle.is_empty());
         assert!(start.elapsed().as_secs() < 30, "it took {:?}", start.elapsed());
     }
@@ -453,8 +453,8 @@ pub(super) fn each_left_out(model: &Model, text: &str, asleep: usize) {
     for left_out in Pass::ALL.map(Some).into_iter().chain([None]) {
         let mut passes = Pass::ALL.to_vec();
         passes.retain(|pass| Some(*pass) != left_out);
-        let outcome = compare(model, &lines, Encoding::Regions, &passes);
+        let outcome = compare(model, &lines, &passes);
         assert!(matches!(outcome, Ok(Outcome::Same)), "{left_out:?}: {:?}", outcome.err());
-        assert_eq!(sleeps(model, &lines[..asleep], Encoding::Regions, &passes), Ok(()), "{left_out:?}");
+        assert_eq!(sleeps(model, &lines[..asleep], &passes), Ok(()), "{left_out:?}");
     }
 }

@@ -2,7 +2,7 @@
 
 use grafcet_compiler::model::{Id, OutputId};
 use grafcet_compiler::program::passes::Pass;
-use grafcet_compiler::program::{Encoding, Expr, Role, Statement};
+use grafcet_compiler::program::{Expr, Role, Statement};
 use grafcet_conformance::program::program as optimised;
 
 use super::passes::{drawn, each_left_out, kettle, storm};
@@ -22,7 +22,7 @@ fn branches_tell_by_their_states_whether_they_have_moved() {
         ("step D1; step D2; B2 -[a && b]-> (D1, D2); (D1, D2) -[!a]-> B2;", false),
     ] {
         let model = read(&kettle(more));
-        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let program = optimised(&model, &Pass::ALL).expect("a program");
         assert_eq!(program.place(Role::Settled).is_none(), told, "{more}: {program}");
         assert_eq!(program.place(Role::Reading).is_none(), told, "{more}: {program}");
         each_left_out(&model, &storm(&["a", "b", "c"], 300), 120);
@@ -37,7 +37,7 @@ fn an_output_that_shows_a_field_is_set_once() {
             "sfc Stored {{ input a, b: bool; output lamp, p: bool; initial step Idle {{ R lamp; }} step A1 {{ {lamp} }} step A2; step B1; step B2; \
              Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[a && b]-> B2; (A2, B2) -[!a]-> Idle; }}"
         ));
-        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let program = optimised(&model, &Pass::ALL).expect("a program");
         let output = program.place(Role::Output(OutputId::new(0))).expect("an output");
         let last = matches!(program.cycle.last(), Some(Statement::Set(place, Expr::Place(_))) if *place == output);
         assert_eq!(last, once, "{lamp}: {program}");
@@ -59,7 +59,7 @@ fn what_an_order_empties_is_empty_beside_it_alone() {
     };
     for (restart, beside) in [("force Modes {INIT};", false), ("", true)] {
         let model = read(&chart(restart));
-        let text = optimised(&model, Encoding::Regions, &before(Pass::United)).expect("a program").to_string();
+        let text = optimised(&model, &before(Pass::United)).expect("a program").to_string();
         let (_, search) = text.split_once("loop").expect("a search");
         assert_eq!(search.contains("none:"), beside, "{restart}: {text}");
         each_left_out(&model, &storm(&["stop", "a", "b"], 200), 0);
@@ -81,7 +81,7 @@ pub(super) const PLANT: &str = "grafcet Plant { input stop, go, auto, x, y, z: b
 #[test]
 fn a_search_goes_from_above_downwards() {
     let model = read(PLANT);
-    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    let program = optimised(&model, &Pass::ALL).expect("a program");
     let Some(Statement::Loop { body, .. }) = program.cycle.iter().find(|one| matches!(one, Statement::Loop { .. }))
     else {
         panic!("{program}");
@@ -105,7 +105,7 @@ pub(super) const CELL: &str = "grafcet Cell { input stop, ack, go, x, y: bool; o
 #[test]
 fn partial_grafcets_keep_little() {
     let model = read(CELL);
-    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    let program = optimised(&model, &Pass::ALL).expect("a program");
     for role in [Role::Reading, Role::Settled, Role::Passed(2)] {
         assert!(program.place(role).is_none(), "{role:?}: {program}");
     }
@@ -126,7 +126,7 @@ fn what_a_round_stores_is_read_as_it_was() {
          partial One { initial step A { P1 n = false; } step B { P1 n = true; } A -[a && !b && !m]-> B -[b]-> A; } \
          partial Two { initial step X { P1 m = false; } step Y { P1 m = true; p; } X -[a && !n]-> Y -[!a]-> X; } }",
     );
-    let text = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program").to_string();
+    let text = optimised(&model, &Pass::ALL).expect("a program").to_string();
     assert!(text.contains("n = next.n") && !text.contains("next.m"), "{text}");
     each_left_out(&model, &drawn(&[("a", false), ("b", false)], 100), 0);
 }
@@ -146,7 +146,7 @@ fn an_order_from_above_keeps_steps_beyond_their_time() {
         ("force Side {*};", false),
     ] {
         let model = read(&CELL.replacen("force Modes {};", order, 1));
-        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let program = optimised(&model, &Pass::ALL).expect("a program");
         assert_eq!(program.place(Role::Passed(2)).is_some(), kept, "{order}: {program}");
         let inputs = [("stop", true), ("ack", false), ("go", false), ("x", false), ("y", false)];
         each_left_out(&model, &drawn(&inputs, 200), 100);
@@ -160,7 +160,7 @@ fn times_of_initial_steps_begin_with_the_first_cycle() {
         "grafcet Two { input a, b: bool; output p: bool; partial Up { initial step A; step B { p; } A -[b && 3ms/A]-> B -[5ms/B]-> A; } \
          partial Down { initial step C; step E; C -[a]-> E -[!a]-> C; } }",
     );
-    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    let program = optimised(&model, &Pass::ALL).expect("a program");
     assert!(program.to_string().contains("since.A = now"), "{program}");
     each_left_out(&model, &drawn(&[("a", false), ("b", false)], 60), 60);
 }
@@ -176,7 +176,7 @@ fn what_nothing_is_done_for_is_not_asked() {
                 partial Modes {{ initial step Manual {{ manual; belt if jog; }} step Auto {{ belt; }}
                     Manual -[go && !stop]-> Auto -[!go && !stop]-> Manual; }} }}"
         );
-        optimised(&read(&chart), Encoding::Regions, &before(Pass::United)).expect("a program").to_string()
+        optimised(&read(&chart), &before(Pass::United)).expect("a program").to_string()
     };
     let [emptied, manual] = ["{}", "{INIT}"].map(text);
     assert!(emptied.contains("    Stopped: alarm = true\n    else:\n      match state.Manual\n"), "{emptied}");
@@ -204,7 +204,7 @@ pub(super) const BOXES: &str = "grafcet Boxes { input stop, ack, auto, a, b, c: 
 fn regions_that_go_together_share_a_place() {
     let places = |chart: &str| {
         let model = read(chart);
-        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let program = optimised(&model, &Pass::ALL).expect("a program");
         let states = program.places.iter().filter(|place| matches!(place.role, Role::State(_))).count();
         (states, program.united.iter().map(|united| united.regions.clone()).collect::<Vec<_>>())
     };
@@ -226,7 +226,7 @@ fn a_condition_of_one_state_stands_in_its_arm() {
     let chart = BOXES.replacen("Safety::Ready.X", "Modes::Auto.X", 1);
     let chart = chart.replacen("force Modes {};", "force Modes {}; force Side {};", 1);
     let chart = chart.replacen("Manual { q; }", "Manual { force Side {INIT}; q; }", 1);
-    let text = optimised(&read(&chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string();
+    let text = optimised(&read(&chart), &Pass::ALL).expect("a program").to_string();
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let arm = "Wait: if !auto && !c: moves.45 = true state.Ready = Manual state.Off = Off break else if a && !b:";
     assert!(words.contains(arm), "{text}");
@@ -239,7 +239,7 @@ fn an_edge_of_a_step_begins_with_the_initial_situation() {
     let chart = "grafcet Listens { input a, b: bool; output p, q: bool; output n, m: u8; \
          partial Count { initial step Ears { on rising(Go.X) n = n % 50 + 1; on falling(Rest.X) m = m % 50 + 1; on rising(2ms/b) p = !p; } } \
          partial Drive { initial step Rest; step Go { q; } step Back; Rest -[a]-> Go -[!a]-> Back -[rising(1ms/b/5ms) || !b && 9ms/Back]-> Rest; } }";
-    let text = optimised(&read(chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string();
+    let text = optimised(&read(chart), &Pass::ALL).expect("a program").to_string();
     assert!(!text.contains("evolutions == 0"), "{text}");
     assert_eq!(text.matches("edge1.before = true").count(), 1, "{text}");
     assert_eq!(text.matches("edge0.before = ").count(), 2, "{text}");

@@ -1,6 +1,5 @@
 //! Charts whose branches many transitions synchronise: a program has each transition in one place.
 
-use grafcet_compiler::program::Encoding;
 use grafcet_compiler::program::passes::Pass;
 use grafcet_conformance::program::program as optimised;
 
@@ -19,7 +18,7 @@ const CRANE: &str = "grafcet Crane { input a, b, c, d: bool; output p, q: bool; 
      (Free, Idle2) -[b && !(Idle1.X && a)]-> Carry2; Carry2 -[d && !b]-> (Free, Idle2); }";
 
 fn text(chart: &str) -> String {
-    optimised(&read(chart), Encoding::Regions, &Pass::ALL).expect("a program").to_string()
+    optimised(&read(chart), &Pass::ALL).expect("a program").to_string()
 }
 
 fn is_the_same(chart: &str) {

@@ -1,7 +1,7 @@
 //! Proofs from one evolution of a search for stability to the next.
 
 use grafcet_compiler::analysis::Facts;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Limit, Verdict, by_evolutions, decide};
 
@@ -44,7 +44,7 @@ fn what_a_search_leaves_at_its_bound_is_no_secret() {
         "grafcet C { input a, b: bool; output q: bool; initial step A; step B { q; } step D; A -[a]-> B -[a]-> A; A -[b && !a]-> D -[!b]-> A;
          never a && A.X; never a && B.X; never !a && q && b; never D.X && !b; never D.X && a && q; }",
     );
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let mut broken = 0;
     for bad in &circuit.bad {

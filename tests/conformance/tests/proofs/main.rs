@@ -7,7 +7,7 @@ use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::counted;
 use grafcet_conformance::prove::{Bounds, Counts, Kind, number};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::{Invariant, Task};
@@ -23,7 +23,7 @@ fn read(text: &str) -> Model {
 }
 
 fn verdicts(model: &Model) -> Vec<Verdict> {
-    let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
+    let program = counted(model, &Facts::of(model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let decided =
         circuit.bad.iter().map(|bad| decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(600))));
@@ -127,7 +127,7 @@ fn a_proof_names_the_variants() {
          initial step Rest; step Run { P1 mode = Mode::Busy; } step End { ram; P1 mode = Mode::Done; }
          Rest -[go]-> Run -[!go]-> End -[go]-> Rest; never ram && mode == Mode::Busy; }",
     );
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let proof = decide(&program, &circuit, circuit.bad[0], &Limit::none()).expect("no internal error");
     let Verdict::Proved(proof) = proof else { panic!("{proof:?}") };
@@ -168,7 +168,7 @@ fn interlocked_partial_grafcets_are_no_matter_of_situations() {
 #[test]
 fn a_proof_that_is_none_is_refused() {
     let model = read(INTERLOCKED);
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let task = Task::new(&circuit, circuit.bad[0].possible);
     let limit = Limit::none();
@@ -233,7 +233,7 @@ fn what_is_known_of_clocks_is_said() {
          Rest -[start]-> Press -[10s/Press || down]-> Full -[5s/Full]-> Rest; assume cycle within 100ms; \
          Press leads_to Rest within 16s; }",
     );
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let program = counted(&model, &Facts::of(&model)).expect("a program");
     let [Verdict::Proved(proof)] = &verdicts(&model)[..] else { panic!("it is proved") };
     let said = words::clocks(&program, &proof.clocks);
     let expected = [

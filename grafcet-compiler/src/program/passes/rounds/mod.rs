@@ -77,10 +77,8 @@ impl<'m> Cycle<'m> {
     fn of(program: &Program<'m>, places: &mut Vec<PlaceInfo<'m>>) -> Option<Self> {
         let mut states = Vec::new();
         for (at, place) in places.iter().enumerate() {
-            match place.role {
-                Role::State(_) => states.push(PlaceId(at)),
-                Role::Bit(_) => return None,
-                _ => {}
+            if matches!(place.role, Role::State(_)) {
+                states.push(PlaceId(at));
             }
         }
         let mut before = opened(&program.cycle);

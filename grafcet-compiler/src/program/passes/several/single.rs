@@ -56,17 +56,17 @@ impl<'m> Several<'_, 'm> {
     ) -> Option<(Vec<(Value, Tree<'m>)>, Vec<Among>)> {
         let (points, state) = (&self.points[region], self.states[region]);
         let writes = |one: &Statement<'m>| self.decides(std::slice::from_ref(one));
-        let last = list.iter().rposition(writes);
+        let end = list.iter().rposition(writes);
         let mut index = if states.len() < FEW {
             Index::whole(self.places.len(), list.len(), points)
         } else {
             let is_false = |fact: &Fact| *fact == Fact::Is(Value::Bool(false));
             let assumed = env.facts.iter().map(is_false).list();
-            Index::of_region(self.places, list, state, &assumed, points, last.unwrap_or(0))
+            Index::of_region(self.places, list, state, &assumed, points, end.unwrap_or(0))
         };
-        if let Some(last) = last {
-            index.last = last;
-            index.forks = deciding(self.places, &list[..=last], &self.states);
+        if let Some(end) = end {
+            index.last = end;
+            index.forks = deciding(self.places, &list[..=end], &self.states);
             for (place, forks) in self.places.iter().zip(&mut index.forks) {
                 *forks &= matches!(place.ty, Type::Bool);
             }

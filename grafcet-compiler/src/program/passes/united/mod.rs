@@ -32,7 +32,8 @@ use walk::Walk;
 type Joint = Vec<Value>;
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    if program.meetings.is_empty() {
+    // Where each step has a bit, there is nothing to share.
+    if program.meetings.is_empty() || program.model.flags {
         return;
     }
     let mut groups: Vec<(Vec<usize>, Option<Names>)> = Vec::new();

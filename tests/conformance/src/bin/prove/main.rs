@@ -7,7 +7,7 @@ use grafcet_compiler::analysis::{Facts, Question};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::plant;
-use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_compiler::program::{Program, counted};
 use grafcet_conformance::prove::differs;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::Invariant;
@@ -149,7 +149,7 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
     let Some(model) = model.filter(|model| !model.incomplete) else {
         return Err("the chart is not complete".to_owned());
     };
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).map_err(|refused| refused.to_string())?;
+    let program = counted(&model, &Facts::of(&model)).map_err(|refused| refused.to_string())?;
     let circuit = Circuit::of(&program).map_err(|refused| format!("{}: not modelled: {refused}", model.name))?;
     println!("{}: {} latches, {} gates", model.name, circuit.latches.len(), circuit.aig.len());
     if let Some(file) = &options.aiger {

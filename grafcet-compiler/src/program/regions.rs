@@ -4,11 +4,8 @@
 //! well-nested chart has no induced path of four steps (it is a cograph), and on such a graph the greedy colouring
 //! needs the fewest colours in any order: one for a chart without parallel branches, else one per parallel branch.
 //!
-//! Under `encoding flags;` each step is a region of its own, whose state is a bit.
-
 use crate::analysis::Concurrency;
-use crate::list::List;
-use crate::model::{ForceOrder, Id, Model, PartialId, Step, StepId};
+use crate::model::{ForceOrder, Id, Model, PartialId, StepId};
 use crate::sorted::Set;
 
 /// The position of a region.
@@ -30,7 +27,6 @@ pub struct Region {
 pub struct Regions {
     list: Vec<Region>,
     of_step: Vec<RegionId>,
-    flags: bool,
 }
 
 impl Regions {
@@ -56,37 +52,11 @@ impl Regions {
             }
             of_step.push(region);
         }
-        let mut all = Self { list: regions, of_step, flags: false };
+        let mut all = Self { list: regions, of_step };
         for region in 0..all.list.len() {
             all.list[region].may_be_empty = all.may_become_empty(model, region);
         }
         all
-    }
-
-    /// A region for each step, whose state is a bit.
-    #[must_use]
-    pub fn flags(model: &Model, initial: &Set<StepId>) -> Self {
-        let alone = |(step, declared): (StepId, &Step)| Region {
-            partial: declared.partial,
-            steps: vec![step],
-            initial: initial.contains(&step).then_some(step),
-            may_be_empty: true,
-        };
-        let regions = model.steps.iter().map(alone).list();
-        Self { list: regions, of_step: (0..model.steps.len()).list(), flags: true }
-    }
-
-    /// The state of each region is a bit.
-    #[must_use]
-    pub fn are_flags(&self) -> bool {
-        self.flags
-    }
-
-    /// Steps that are first taken away and then given back leave their region empty in between.
-    pub(super) fn allow_leaving(&mut self, steps: &Set<StepId>) {
-        for step in steps {
-            self.list[self.of_step[step.index()]].may_be_empty = true;
-        }
     }
 
     /// The region of a step.
@@ -101,15 +71,10 @@ impl Regions {
         &self.list
     }
 
-    /// The regions of a partial grafcet.
-    pub fn of_partial(&self, partial: PartialId) -> impl Iterator<Item = RegionId> + '_ {
-        self.list.iter().enumerate().filter(move |(_, region)| region.partial == partial).map(|(id, _)| id)
-    }
-
     /// The state is that of one region, which always has an active step.
     #[must_use]
     pub fn is_single(&self) -> bool {
-        matches!(&self.list[..], [region] if !region.may_be_empty) && !self.flags
+        matches!(&self.list[..], [region] if !region.may_be_empty)
     }
 
     /// Whether a region starts empty, or something takes its active step away without giving it another.

@@ -1,0 +1,836 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Batch {
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &BatchInputs,
+        #[cfg(doc)]
+        inputs: &BatchInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> BatchOutputs {
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut outputs_ = BatchOutputs {
+            lamp: false,
+            pump: false,
+            heat: false,
+            count: 0,
+        };
+        let elapsed_: Ticks = now_.since(self.reading);
+        self.reading = now_;
+        match self.region_0 {
+            __BatchRegion0::INIT => {
+                self.region_0 = __BatchRegion0::Idle;
+                self.since_heat = now_;
+                self.since_idle = now_;
+            }
+            _ => {
+                let last_count_: core::primitive::u16 = self.count;
+                let mut turned_: bool = false;
+                let mut by_leaving_stir_7__: bool = false;
+                let mut on_fill_1__: bool = false;
+                let mut on_drain_8__: bool = false;
+                let mut own_count_: core::primitive::u16 = 0;
+                let mut written_count_: bool = false;
+                let mut any_59__: bool = false;
+                match self.region_0 {
+                    __BatchRegion0::Idle => {
+                        if inputs_.start {
+                            self.region_0 = __BatchRegion0::Fill;
+                            self.region_1 = __BatchRegion1::Heat;
+                            self.since_idle = now_;
+                            self.since_heat = now_;
+                            on_fill_1__ = true;
+                            self.s_ff_lamp = false;
+                            outputs_.heat = true;
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            self.held_stir_7_ = false;
+                            self.count = {
+                                let count = last_count_;
+                                count + 1
+                            };
+                            if self.was_q_stir_7_ && !by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                written_count_ = false;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            self.was_q_stir_7_ = false;
+                            any_59__ = true;
+                        } else {
+                            outputs_.lamp = self.s_ff_lamp;
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            self.held_stir_7_ = false;
+                            if by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            if self.was_q_stir_7_ && !by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                written_count_ = false;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            turned_ = self.was_q_stir_7_;
+                            self.was_q_stir_7_ = false;
+                            any_59__ = turned_;
+                        }
+                    }
+                    __BatchRegion0::Stir => {
+                        if now_.since(self.since_idle)
+                            >= Ticks::new(2000u32)
+                        {
+                            self.region_0 = __BatchRegion0::Drain;
+                            self.since_idle = now_;
+                            on_drain_8__ = true;
+                            self.sd_ff_pump = false;
+                            outputs_.lamp = self.s_ff_lamp;
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            self.held_stir_7_ = false;
+                            if by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            if self.was_q_stir_7_ && !by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                written_count_ = false;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            self.was_q_stir_7_ = false;
+                            any_59__ = true;
+                        } else {
+                            self.sd_ff_pump = true;
+                            outputs_.lamp = self.s_ff_lamp;
+                            self.held_stir_7_ = true;
+                            own_count_ = last_count_;
+                            {
+                                #[allow(unused_mut, unused_variables)]
+                                let mut count = own_count_;
+                                let mut __written_count__ = false;
+                                #[allow(unused_braces)]
+                                {
+                                    if count > 3 {
+                                        {
+                                            count = 0;
+                                            __written_count__ = true;
+                                        };
+                                    }
+                                }
+                                if __written_count__ {
+                                    own_count_ = count;
+                                    written_count_ = true;
+                                }
+                            }
+                            if written_count_ {
+                                self.count = own_count_;
+                            }
+                            turned_ = !self.was_q_stir_7_;
+                            self.was_q_stir_7_ = true;
+                            any_59__ = turned_;
+                        }
+                    }
+                    __BatchRegion0::Drain => {
+                        if !inputs_.full {
+                            self.region_0 = __BatchRegion0::Idle;
+                            self.since_idle = now_;
+                            outputs_.lamp = self.s_ff_lamp;
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            self.held_stir_7_ = false;
+                            if by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            if self.was_q_stir_7_ && !by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                written_count_ = false;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            self.was_q_stir_7_ = false;
+                            any_59__ = true;
+                        } else {
+                            on_drain_8__ = true;
+                            self.sd_ff_pump = false;
+                            outputs_.lamp = self.s_ff_lamp
+                                || now_.since(self.since_idle)
+                                    >= Ticks::new(1000u32);
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            self.held_stir_7_ = false;
+                            if by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            if self.was_q_stir_7_ && !by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                written_count_ = false;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            turned_ = self.was_q_stir_7_;
+                            self.was_q_stir_7_ = false;
+                            if now_.since(self.since_idle)
+                                >= Ticks::new(1000u32)
+                            {
+                                self.since_idle = now_
+                                    .since(Ticks::new(1000u32));
+                            }
+                            any_59__ = turned_;
+                        }
+                    }
+                    _ => {
+                        match self.region_1 {
+                            __BatchRegion1::Heat => {
+                                if inputs_.full
+                                    && now_.since(self.since_heat)
+                                        >= Ticks::new(5000u32)
+                                {
+                                    self.region_1 = __BatchRegion1::NONE;
+                                    self.region_0 = __BatchRegion0::Stir;
+                                    self.since_idle = now_;
+                                    self.sd_ff_pump = true;
+                                    outputs_.lamp = self.s_ff_lamp;
+                                    self.held_stir_7_ = true;
+                                    own_count_ = last_count_;
+                                    {
+                                        #[allow(unused_mut, unused_variables)]
+                                        let mut count = own_count_;
+                                        let mut __written_count__ = false;
+                                        #[allow(unused_braces)]
+                                        {
+                                            if count > 3 {
+                                                {
+                                                    count = 0;
+                                                    __written_count__ = true;
+                                                };
+                                            }
+                                        }
+                                        if __written_count__ {
+                                            own_count_ = count;
+                                            written_count_ = true;
+                                        }
+                                    }
+                                    if written_count_ {
+                                        self.count = own_count_;
+                                    }
+                                    self.was_q_stir_7_ = true;
+                                    any_59__ = true;
+                                } else {
+                                    on_fill_1__ = true;
+                                    self.s_ff_lamp = false;
+                                    outputs_.heat = now_.since(self.since_heat)
+                                        < Ticks::new(3000u32);
+                                    by_leaving_stir_7__ = self.was_q_stir_7_
+                                        && self.held_stir_7_;
+                                    self.held_stir_7_ = false;
+                                    if by_leaving_stir_7__ {
+                                        own_count_ = last_count_;
+                                        {
+                                            #[allow(unused_mut, unused_variables)]
+                                            let mut count = own_count_;
+                                            let mut __written_count__ = false;
+                                            #[allow(unused_braces)]
+                                            {
+                                                if count > 3 {
+                                                    {
+                                                        count = 0;
+                                                        __written_count__ = true;
+                                                    };
+                                                }
+                                            }
+                                            if __written_count__ {
+                                                own_count_ = count;
+                                                written_count_ = true;
+                                            }
+                                        }
+                                        if written_count_ {
+                                            self.count = own_count_;
+                                        }
+                                    }
+                                    if self.was_q_stir_7_ && !by_leaving_stir_7__ {
+                                        own_count_ = last_count_;
+                                        written_count_ = false;
+                                        {
+                                            #[allow(unused_mut, unused_variables)]
+                                            let mut count = own_count_;
+                                            let mut __written_count__ = false;
+                                            #[allow(unused_braces)]
+                                            {
+                                                if count > 3 {
+                                                    {
+                                                        count = 0;
+                                                        __written_count__ = true;
+                                                    };
+                                                }
+                                            }
+                                            if __written_count__ {
+                                                own_count_ = count;
+                                                written_count_ = true;
+                                            }
+                                        }
+                                        if written_count_ {
+                                            self.count = own_count_;
+                                        }
+                                    }
+                                    turned_ = self.was_q_stir_7_;
+                                    self.was_q_stir_7_ = false;
+                                    if now_.since(self.since_heat)
+                                        >= Ticks::new(5000u32)
+                                    {
+                                        self.since_heat = now_
+                                            .since(Ticks::new(5000u32));
+                                    }
+                                    any_59__ = turned_;
+                                }
+                            }
+                            _ => {
+                                on_fill_1__ = true;
+                                self.s_ff_lamp = true;
+                                outputs_.lamp = true;
+                                by_leaving_stir_7__ = self.was_q_stir_7_
+                                    && self.held_stir_7_;
+                                self.held_stir_7_ = false;
+                                if by_leaving_stir_7__ {
+                                    own_count_ = last_count_;
+                                    {
+                                        #[allow(unused_mut, unused_variables)]
+                                        let mut count = own_count_;
+                                        let mut __written_count__ = false;
+                                        #[allow(unused_braces)]
+                                        {
+                                            if count > 3 {
+                                                {
+                                                    count = 0;
+                                                    __written_count__ = true;
+                                                };
+                                            }
+                                        }
+                                        if __written_count__ {
+                                            own_count_ = count;
+                                            written_count_ = true;
+                                        }
+                                    }
+                                    if written_count_ {
+                                        self.count = own_count_;
+                                    }
+                                }
+                                if self.was_q_stir_7_ && !by_leaving_stir_7__ {
+                                    own_count_ = last_count_;
+                                    written_count_ = false;
+                                    {
+                                        #[allow(unused_mut, unused_variables)]
+                                        let mut count = own_count_;
+                                        let mut __written_count__ = false;
+                                        #[allow(unused_braces)]
+                                        {
+                                            if count > 3 {
+                                                {
+                                                    count = 0;
+                                                    __written_count__ = true;
+                                                };
+                                            }
+                                        }
+                                        if __written_count__ {
+                                            own_count_ = count;
+                                            written_count_ = true;
+                                        }
+                                    }
+                                    if written_count_ {
+                                        self.count = own_count_;
+                                    }
+                                }
+                                turned_ = self.was_q_stir_7_;
+                                self.was_q_stir_7_ = false;
+                                any_59__ = turned_;
+                            }
+                        }
+                    }
+                }
+                self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
+                    self.sd_tmr_pump_held + elapsed_
+                } else {
+                    Ticks::ZERO
+                };
+                self.sd_tmr_pump_in = self.sd_ff_pump;
+                any_59__ = any_59__ || self.count != last_count_;
+                outputs_.pump = !on_drain_8__
+                    && (on_fill_1__
+                        || self.sd_ff_pump
+                            && self.sd_tmr_pump_held
+                                >= Ticks::new(2000u32));
+                self.settled = !any_59__;
+            }
+        }
+        outputs_.count = self.count;
+        outputs_
+    }
+}
+impl Batch {
+    /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
+    /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.
+    ///
+    /// For commissioning: nothing that the compiler has proved of the chart's ways holds on this one.
+    ///
+    /// # Errors
+    /// The chart is never in exactly these steps; then nothing has happened.
+    #[allow(unused_assignments, unused_mut, unused_variables)]
+    fn force(
+        &mut self,
+        #[cfg(not(doc))]
+        steps_: &[BatchStep],
+        #[cfg(doc)]
+        steps: &[BatchStep],
+        #[cfg(not(doc))]
+        inputs_: &BatchInputs,
+        #[cfg(doc)]
+        inputs: &BatchInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> Result<
+        BatchOutputs,
+        ForceError<BatchStep>,
+    > {
+        Possible::Listed(b"\x01\x06\x08\x10")
+            .look(<Self as Chart>::STEPS, steps_)?;
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut forced0_: Option<__BatchRegion0> = Option::None;
+        let mut forced1_: Option<__BatchRegion1> = Option::None;
+        for step_ in steps_ {
+            match *step_ {
+                BatchStep::Idle => {
+                    forced0_ = Option::Some(__BatchRegion0::Idle);
+                }
+                BatchStep::Fill => {
+                    forced0_ = Option::Some(__BatchRegion0::Fill);
+                }
+                BatchStep::Heat => {
+                    forced1_ = Option::Some(__BatchRegion1::Heat);
+                }
+                BatchStep::Stir => {
+                    forced0_ = Option::Some(__BatchRegion0::Stir);
+                }
+                BatchStep::Drain => {
+                    forced0_ = Option::Some(__BatchRegion0::Drain);
+                }
+            }
+        }
+        let forced0_ = match forced0_ {
+            Option::Some(state_) => state_,
+            Option::None => {
+                return Result::Err(
+                    ForceError::NoSituation,
+                );
+            }
+        };
+        let forced1_ = match forced1_ {
+            Option::Some(state_) => state_,
+            Option::None => __BatchRegion1::NONE,
+        };
+        Result::Ok({
+            let mut outputs_ = BatchOutputs {
+                lamp: false,
+                pump: false,
+                heat: false,
+                count: 0,
+            };
+            let first_: bool = self.region_0
+                == __BatchRegion0::INIT;
+            if first_ {
+                self.region_0 = __BatchRegion0::Idle;
+            }
+            let elapsed_: Ticks = if first_ {
+                Ticks::ZERO
+            } else {
+                now_.since(self.reading)
+            };
+            self.reading = now_;
+            if first_ {
+                self.since_idle = now_;
+                self.since_heat = now_;
+            }
+            let was_state_idle_: __BatchRegion0 = self.region_0;
+            let was_state_heat_: __BatchRegion1 = self.region_1;
+            let left_idle_: bool = !first_
+                && was_state_idle_ == __BatchRegion0::Idle
+                && forced0_ != __BatchRegion0::Idle;
+            let entered_idle_: bool = forced0_
+                == __BatchRegion0::Idle
+                && (first_ || was_state_idle_ != __BatchRegion0::Idle);
+            let entered_fill_: bool = forced0_
+                == __BatchRegion0::Fill
+                && (first_ || was_state_idle_ != __BatchRegion0::Fill);
+            let entered_heat_: bool = forced1_
+                == __BatchRegion1::Heat
+                && (first_ || was_state_heat_ != __BatchRegion1::Heat);
+            let entered_stir_: bool = forced0_
+                == __BatchRegion0::Stir
+                && (first_ || was_state_idle_ != __BatchRegion0::Stir);
+            let entered_drain_: bool = forced0_
+                == __BatchRegion0::Drain
+                && (first_ || was_state_idle_ != __BatchRegion0::Drain);
+            self.region_0 = forced0_;
+            self.region_1 = forced1_;
+            if entered_idle_ || entered_fill_ || entered_stir_ || entered_drain_ {
+                self.since_idle = now_;
+            }
+            if entered_heat_ {
+                self.since_heat = now_;
+            }
+            let last_count_: core::primitive::u16 = self.count;
+            let on_idle_0__: bool = left_idle_;
+            let on_fill_1__: bool = self.region_0
+                == __BatchRegion0::Fill;
+            let on_fill_2__: bool = entered_fill_;
+            let on_fill_3__: bool = self.region_0
+                == __BatchRegion0::Fill;
+            let on_heat_4__: bool = self.region_1
+                == __BatchRegion1::Heat;
+            let on_heat_5__: bool = self.region_1
+                == __BatchRegion1::Heat;
+            let on_stir_6__: bool = self.region_0
+                == __BatchRegion0::Stir;
+            let on_stir_7__: bool = self.region_0
+                == __BatchRegion0::Stir;
+            let on_drain_8__: bool = self.region_0
+                == __BatchRegion0::Drain;
+            let on_drain_9__: bool = self.region_0
+                == __BatchRegion0::Drain;
+            self.sd_ff_pump = !on_drain_8__ && (on_stir_6__ || self.sd_ff_pump);
+            self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
+                self.sd_tmr_pump_held + elapsed_
+            } else {
+                Ticks::ZERO
+            };
+            self.sd_tmr_pump_in = self.sd_ff_pump;
+            let q_pump_: bool = !on_drain_8__
+                && (on_fill_1__
+                    || self.sd_tmr_pump_in
+                        && self.sd_tmr_pump_held
+                            >= Ticks::new(2000u32));
+            self.s_ff_lamp = !on_heat_5__ && (on_fill_3__ || self.s_ff_lamp);
+            let q_lamp_: bool = !on_heat_5__
+                && (self.s_ff_lamp
+                    || on_drain_9__
+                        && now_.since(self.since_idle)
+                            >= Ticks::new(1000u32));
+            let q_heat_: bool = on_heat_4__
+                && !(on_heat_4__
+                    && now_.since(self.since_heat)
+                        >= Ticks::new(3000u32));
+            let q_stir_7__: bool = on_stir_7__;
+            let by_leaving_stir_7__: bool = self.was_q_stir_7_
+                && !q_stir_7__ && self.held_stir_7_
+                && self.region_0 != __BatchRegion0::Stir && !on_stir_7__;
+            self.held_stir_7_ = q_stir_7__ && on_stir_7__;
+            if on_idle_0__ {
+                self.count = 0;
+            }
+            let mut own_count_: core::primitive::u16 = 0;
+            let mut written_count_: bool = false;
+            if by_leaving_stir_7__ {
+                own_count_ = last_count_;
+                written_count_ = false;
+                {
+                    #[allow(unused_mut, unused_variables)]
+                    let mut count = own_count_;
+                    let mut __written_count__ = false;
+                    #[allow(unused_braces)]
+                    {
+                        if count > 3 {
+                            {
+                                count = 0;
+                                __written_count__ = true;
+                            };
+                        }
+                    }
+                    if __written_count__ {
+                        own_count_ = count;
+                        written_count_ = true;
+                    }
+                }
+                if written_count_ {
+                    self.count = own_count_;
+                }
+            }
+            if on_fill_2__ {
+                self.count = {
+                    let count = last_count_;
+                    count + 1
+                };
+            }
+            outputs_.pump = q_pump_;
+            outputs_.lamp = q_lamp_;
+            outputs_.heat = q_heat_;
+            if q_stir_7__ {
+                own_count_ = last_count_;
+                written_count_ = false;
+                {
+                    #[allow(unused_mut, unused_variables)]
+                    let mut count = own_count_;
+                    let mut __written_count__ = false;
+                    #[allow(unused_braces)]
+                    {
+                        if count > 3 {
+                            {
+                                count = 0;
+                                __written_count__ = true;
+                            };
+                        }
+                    }
+                    if __written_count__ {
+                        own_count_ = count;
+                        written_count_ = true;
+                    }
+                }
+                if written_count_ {
+                    self.count = own_count_;
+                }
+            }
+            if self.was_q_stir_7_ && !q_stir_7__ && !by_leaving_stir_7__ {
+                own_count_ = last_count_;
+                written_count_ = false;
+                {
+                    #[allow(unused_mut, unused_variables)]
+                    let mut count = own_count_;
+                    let mut __written_count__ = false;
+                    #[allow(unused_braces)]
+                    {
+                        if count > 3 {
+                            {
+                                count = 0;
+                                __written_count__ = true;
+                            };
+                        }
+                    }
+                    if __written_count__ {
+                        own_count_ = count;
+                        written_count_ = true;
+                    }
+                }
+                if written_count_ {
+                    self.count = own_count_;
+                }
+            }
+            self.was_q_stir_7_ = q_stir_7__;
+            if was_state_heat_ == __BatchRegion1::Heat
+                && self.region_1 == __BatchRegion1::Heat
+                && now_.since(self.since_heat)
+                    >= Ticks::new(5000u32)
+            {
+                self.since_heat = now_.since(Ticks::new(5000u32));
+            }
+            if was_state_idle_ == __BatchRegion0::Stir
+                && self.region_0 == __BatchRegion0::Stir
+                && now_.since(self.since_idle)
+                    >= Ticks::new(2000u32)
+            {
+                self.since_idle = now_.since(Ticks::new(2000u32));
+            }
+            if was_state_idle_ == __BatchRegion0::Drain
+                && self.region_0 == __BatchRegion0::Drain
+                && now_.since(self.since_idle)
+                    >= Ticks::new(1000u32)
+            {
+                self.since_idle = now_.since(Ticks::new(1000u32));
+            }
+            self.settled = false;
+            outputs_.count = self.count;
+            outputs_
+        })
+    }
+}

@@ -1,0 +1,347 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Kiln {
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &KilnInputs,
+        #[cfg(doc)]
+        inputs: &KilnInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> KilnOutputs {
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut outputs_ = KilnOutputs {
+            fire: false,
+            count: 0,
+            last: 0,
+        };
+        let first_: bool = self.region_0 == __KilnRegion0::INIT;
+        if first_ {
+            self.region_0 = __KilnRegion0::Idle;
+        }
+        let elapsed_: Ticks = if first_ {
+            Ticks::ZERO
+        } else {
+            now_.since(self.reading)
+        };
+        self.reading = now_;
+        self.time_idle = self.time_idle + elapsed_;
+        self.delay0_held = if inputs_.hot == self.delay0_in {
+            self.delay0_held + elapsed_
+        } else {
+            Ticks::ZERO
+        };
+        self.delay0_in = inputs_.hot;
+        if self.delay0_held
+            >= (if inputs_.hot {
+                Ticks::new(1000u32)
+            } else {
+                Ticks::new(2000u32)
+            })
+        {
+            self.delay0_out = inputs_.hot;
+        }
+        let edge0_now_: bool = inputs_.start;
+        if first_ {
+            self.edge0_before = edge0_now_;
+        }
+        let inputs_ = core::hint::black_box(inputs_);
+        let mut evolutions_: u32 = 0;
+        loop {
+            let mut moves_31__: bool = false;
+            let mut next_count_: core::primitive::u16 = self.count;
+            let mut next_last_: core::primitive::u16 = self.last;
+            match self.region_0 {
+                __KilnRegion0::Idle => {
+                    if !self.edge0_before && edge0_now_ {
+                        self.region_0 = __KilnRegion0::One;
+                        self.region_1 = __KilnRegion1::Three;
+                        next_count_ = {
+                            let count = self.count;
+                            let level = inputs_.level;
+                            count + level % 7
+                        };
+                        next_last_ = {
+                            let last = self.last;
+                            last % 50 + 3
+                        };
+                        moves_31__ = true;
+                        self.count = next_count_;
+                        self.last = next_last_;
+                        self.time_idle = Ticks::ZERO;
+                    }
+                }
+                _ => {
+                    if self.region_0 == __KilnRegion0::Two
+                        && self.region_1 == __KilnRegion1::Four
+                        && !(inputs_.start
+                            && ({
+                                let last = self.last;
+                                last > 2
+                            }) && !inputs_.next)
+                    {
+                        let clears_four_three_: bool = inputs_
+                            .start
+                            && ({
+                                let last = self.last;
+                                last > 2
+                            }) && !inputs_.next;
+                        moves_31__ = true;
+                        self.time_idle = Ticks::ZERO;
+                        self.region_1 = __KilnRegion1::NONE;
+                        if clears_four_three_ {
+                            self.region_1 = __KilnRegion1::Three;
+                        }
+                        if self.region_1 == __KilnRegion1::Three {
+                            next_count_ = {
+                                let count = self.count;
+                                let level = inputs_.level;
+                                count + level % 7
+                            };
+                        }
+                        if self.region_1 == __KilnRegion1::Three {
+                            next_last_ = {
+                                let last = self.last;
+                                last % 50 + 3
+                            };
+                        }
+                        self.count = next_count_;
+                        self.last = next_last_;
+                        self.region_0 = __KilnRegion0::Idle;
+                    } else {
+                        match self.region_0 {
+                            __KilnRegion0::One => {
+                                if self.time_idle >= self.params.limit {
+                                    self.region_0 = __KilnRegion0::Two;
+                                    moves_31__ = true;
+                                    self.time_idle = Ticks::ZERO;
+                                }
+                            }
+                            _ => {}
+                        }
+                        core::sync::atomic::compiler_fence(
+                            core::sync::atomic::Ordering::SeqCst,
+                        );
+                        match self.region_1 {
+                            __KilnRegion1::Three => {
+                                if inputs_.next {
+                                    self.region_1 = __KilnRegion1::Four;
+                                    moves_31__ = true;
+                                }
+                            }
+                            __KilnRegion1::Four => {
+                                if inputs_.start
+                                    && ({
+                                        let last = self.last;
+                                        last > 2
+                                    }) && !inputs_.next
+                                {
+                                    self.region_1 = __KilnRegion1::Three;
+                                    next_count_ = {
+                                        let count = self.count;
+                                        let level = inputs_.level;
+                                        count + level % 7
+                                    };
+                                    next_last_ = {
+                                        let last = self.last;
+                                        last % 50 + 3
+                                    };
+                                    moves_31__ = true;
+                                    self.count = next_count_;
+                                    self.last = next_last_;
+                                }
+                            }
+                            _ => {}
+                        }
+                    }
+                }
+            }
+            if !moves_31__ {
+                break;
+            }
+            self.edge0_before = edge0_now_;
+            evolutions_ = 1;
+        }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
+        self.settled = !(first_ || evolutions_ != 0);
+        self.edge0_before = edge0_now_;
+        match self.region_0 {
+            __KilnRegion0::One => {
+                outputs_.fire = self.delay0_out;
+            }
+            __KilnRegion0::Two => {
+                outputs_.fire = self.time_idle
+                    >= Ticks::new(500u32);
+            }
+            _ => {}
+        }
+        outputs_.count = self.count;
+        outputs_.last = self.last;
+        outputs_
+    }
+}
+impl Kiln {
+    /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
+    /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.
+    ///
+    /// For commissioning: nothing that the compiler has proved of the chart's ways holds on this one.
+    ///
+    /// # Errors
+    /// The chart is never in exactly these steps; then nothing has happened.
+    #[allow(unused_assignments, unused_mut, unused_variables)]
+    fn force(
+        &mut self,
+        #[cfg(not(doc))]
+        steps_: &[KilnStep],
+        #[cfg(doc)]
+        steps: &[KilnStep],
+        #[cfg(not(doc))]
+        inputs_: &KilnInputs,
+        #[cfg(doc)]
+        inputs: &KilnInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> Result<
+        KilnOutputs,
+        ForceError<KilnStep>,
+    > {
+        Possible::Listed(b"\x01\n\x12\x0C")
+            .look(<Self as Chart>::STEPS, steps_)?;
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut forced0_: Option<__KilnRegion0> = Option::None;
+        let mut forced1_: Option<__KilnRegion1> = Option::None;
+        for step_ in steps_ {
+            match *step_ {
+                KilnStep::Idle => {
+                    forced0_ = Option::Some(__KilnRegion0::Idle);
+                }
+                KilnStep::One => {
+                    forced0_ = Option::Some(__KilnRegion0::One);
+                }
+                KilnStep::Two => {
+                    forced0_ = Option::Some(__KilnRegion0::Two);
+                }
+                KilnStep::Three => {
+                    forced1_ = Option::Some(__KilnRegion1::Three);
+                }
+                KilnStep::Four => {
+                    forced1_ = Option::Some(__KilnRegion1::Four);
+                }
+            }
+        }
+        let forced0_ = match forced0_ {
+            Option::Some(state_) => state_,
+            Option::None => {
+                return Result::Err(
+                    ForceError::NoSituation,
+                );
+            }
+        };
+        let forced1_ = match forced1_ {
+            Option::Some(state_) => state_,
+            Option::None => __KilnRegion1::NONE,
+        };
+        Result::Ok({
+            let mut outputs_ = KilnOutputs {
+                fire: false,
+                count: 0,
+                last: 0,
+            };
+            let first_: bool = self.region_0
+                == __KilnRegion0::INIT;
+            if first_ {
+                self.region_0 = __KilnRegion0::Idle;
+            }
+            let elapsed_: Ticks = if first_ {
+                Ticks::ZERO
+            } else {
+                now_.since(self.reading)
+            };
+            self.reading = now_;
+            self.time_idle = self.time_idle + elapsed_;
+            let delay0_now_: bool = inputs_.hot;
+            self.delay0_held = if delay0_now_ == self.delay0_in {
+                self.delay0_held + elapsed_
+            } else {
+                Ticks::ZERO
+            };
+            self.delay0_in = delay0_now_;
+            if self.delay0_held
+                >= (if delay0_now_ {
+                    Ticks::new(1000u32)
+                } else {
+                    Ticks::new(2000u32)
+                })
+            {
+                self.delay0_out = delay0_now_;
+            }
+            let mut was_state_idle_: __KilnRegion0 = self.region_0;
+            let was_state_three_: __KilnRegion1 = self.region_1;
+            let mut edge0_now_: bool = inputs_.start;
+            self.region_0 = forced0_;
+            self.region_1 = forced1_;
+            let mut next_count_: core::primitive::u16 = self.count;
+            let mut next_last_: core::primitive::u16 = self.last;
+            if was_state_three_ != __KilnRegion1::Three
+                && self.region_1 == __KilnRegion1::Three
+            {
+                next_count_ = {
+                    let count = self.count;
+                    let level = inputs_.level;
+                    count + level % 7
+                };
+            }
+            if was_state_three_ != __KilnRegion1::Three
+                && self.region_1 == __KilnRegion1::Three
+            {
+                next_last_ = {
+                    let last = self.last;
+                    last % 50 + 3
+                };
+            }
+            self.count = next_count_;
+            self.last = next_last_;
+            if was_state_idle_ != self.region_0 {
+                self.time_idle = Ticks::ZERO;
+            }
+            self.edge0_before = edge0_now_;
+            let evolutions_: u32 = 1;
+            was_state_idle_ = self.region_0;
+            edge0_now_ = inputs_.start;
+            if first_ && evolutions_ == 0 {
+                self.edge0_before = edge0_now_;
+            }
+            let next_fire_: bool = was_state_idle_
+                == __KilnRegion0::One
+                && ({
+                    let delay_0_ = self.delay0_out;
+                    delay_0_
+                })
+                || was_state_idle_ == __KilnRegion0::Two
+                    && was_state_idle_ == __KilnRegion0::Two
+                    && self.time_idle >= Ticks::new(500u32);
+            outputs_.fire = next_fire_;
+            self.settled = false;
+            outputs_.count = self.count;
+            outputs_.last = self.last;
+            outputs_
+        })
+    }
+}

@@ -1,0 +1,499 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Works {
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &WorksInputs,
+        #[cfg(doc)]
+        inputs: &WorksInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> WorksOutputs {
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut outputs_ = WorksOutputs {
+            held: false,
+            late: false,
+            slow: false,
+            lamp: false,
+            count: 3,
+        };
+        let elapsed_: Ticks = now_.since(self.reading);
+        self.reading = now_;
+        self.delay0_held = if inputs_.c == self.delay0_in {
+            self.delay0_held + elapsed_
+        } else {
+            Ticks::ZERO
+        };
+        self.delay0_in = inputs_.c;
+        match self.region_0 {
+            __WorksRegion0::INIT => {
+                self.delay0_held = Ticks::ZERO;
+                self.region_0 = __WorksRegion0::Idle;
+                self.since_three = now_;
+                if Ticks::ZERO
+                    >= (if inputs_.c {
+                        Ticks::new(20u32)
+                    } else {
+                        Ticks::new(30u32)
+                    })
+                {
+                    self.delay0_out = inputs_.c;
+                }
+                self.since_idle = now_;
+            }
+            _ => {
+                if self.delay0_held
+                    >= (if inputs_.c {
+                        Ticks::new(20u32)
+                    } else {
+                        Ticks::new(30u32)
+                    })
+                {
+                    self.delay0_out = inputs_.c;
+                }
+                let last_count_: core::primitive::u16 = self.count;
+                let mut turned_: bool = false;
+                let mut on_idle_1__: bool = false;
+                let mut any_68__: bool = false;
+                match self.region_0 {
+                    __WorksRegion0::Idle => {
+                        if !self.edge1_before && inputs_.a {
+                            self.region_0 = __WorksRegion0::One;
+                            self.region_1 = __WorksRegion1::Three;
+                            self.since_idle = now_;
+                            self.since_three = now_;
+                            self.s_ff_held = true;
+                            outputs_.held = true;
+                            self.sd_ff_late = true;
+                            outputs_.slow = self.ds_ff_slow;
+                            outputs_.lamp = true;
+                            self.count = {
+                                let count = self.count;
+                                count % 900 + 7
+                            };
+                            if self.was_q_four_9_ {
+                                self.count = {
+                                    let count = last_count_;
+                                    count % 900 + 1
+                                };
+                            }
+                            self.was_q_four_9_ = false;
+                            any_68__ = true;
+                        } else {
+                            on_idle_1__ = true;
+                            self.s_ff_held = false;
+                            self.sd_ff_late = false;
+                            self.ds_ff_slow = false;
+                            if self.was_q_four_9_ {
+                                self.count = {
+                                    let count = last_count_;
+                                    count % 900 + 1
+                                };
+                            }
+                            turned_ = self.was_q_four_9_;
+                            self.was_q_four_9_ = false;
+                            any_68__ = turned_;
+                        }
+                    }
+                    _ => {
+                        let clears_three_four_: bool = self
+                            .region_1 == __WorksRegion1::Three && self.delay0_out;
+                        if self.region_0 == __WorksRegion0::Two
+                            && self.region_1 == __WorksRegion1::Three
+                            && !clears_three_four_
+                            && (!inputs_.a
+                                || self.region_0 == __WorksRegion0::Two
+                                    && now_.since(self.since_idle)
+                                        >= Ticks::new(4000u32))
+                        {
+                            self.since_idle = now_;
+                            on_idle_1__ = true;
+                            self.s_ff_held = false;
+                            self.sd_ff_late = false;
+                            self.ds_ff_slow = false;
+                            if self.was_q_four_9_ {
+                                self.count = {
+                                    let count = last_count_;
+                                    count % 900 + 1
+                                };
+                            }
+                            self.was_q_four_9_ = false;
+                            any_68__ = true;
+                            self.region_1 = __WorksRegion1::NONE;
+                            self.region_0 = __WorksRegion0::Idle;
+                        } else {
+                            match self.region_0 {
+                                __WorksRegion0::One => {
+                                    if inputs_.b
+                                        && ({
+                                            let since_1_ = now_.since(self.since_idle);
+                                            let ticks_15_ = Ticks::new(15u32);
+                                            since_1_ > ticks_15_
+                                        })
+                                    {
+                                        self.region_0 = __WorksRegion0::Two;
+                                        self.since_idle = now_;
+                                        outputs_.held = self.s_ff_held;
+                                        any_68__ = true;
+                                    } else {
+                                        self.s_ff_held = true;
+                                        outputs_.held = true;
+                                        self.sd_ff_late = true;
+                                        outputs_.lamp = now_.since(self.since_idle)
+                                            < Ticks::new(40u32);
+                                        if now_.since(self.since_idle)
+                                            >= Ticks::new(40u32)
+                                        {
+                                            self.since_idle = now_
+                                                .since(Ticks::new(40u32));
+                                        }
+                                        any_68__ = clears_three_four_;
+                                    }
+                                }
+                                __WorksRegion0::Two => {
+                                    outputs_.held = self.s_ff_held;
+                                    outputs_.lamp = now_.since(self.since_idle)
+                                        >= Ticks::new(30u32);
+                                    if now_.since(self.since_idle)
+                                        >= Ticks::new(4000u32)
+                                    {
+                                        self.since_idle = now_
+                                            .since(Ticks::new(4000u32));
+                                    }
+                                    any_68__ = clears_three_four_;
+                                }
+                                _ => {}
+                            }
+                            let was_state_three_: __WorksRegion1 = self.region_1;
+                            let clears_four_three_: bool = self
+                                .region_1 == __WorksRegion1::Four && self.edge2_before
+                                && !inputs_.c;
+                            let entered_three_: bool = clears_four_three_
+                                && !(self.region_1 == __WorksRegion1::Three
+                                    && !clears_three_four_);
+                            let entered_four_: bool = clears_three_four_
+                                && !(self.region_1 == __WorksRegion1::Four
+                                    && !clears_four_three_);
+                            if clears_three_four_ {
+                                self.region_1 = __WorksRegion1::NONE;
+                            }
+                            if clears_four_three_ {
+                                self.region_1 = __WorksRegion1::NONE;
+                            }
+                            if entered_three_ {
+                                self.region_1 = __WorksRegion1::Three;
+                            }
+                            if entered_four_ {
+                                self.region_1 = __WorksRegion1::Four;
+                            }
+                            if entered_three_ || entered_four_ {
+                                self.since_three = now_;
+                            }
+                            let q_four_9__: bool = entered_four_
+                                && !self.action_edge0_before && inputs_.b;
+                            if entered_three_ {
+                                self.count = {
+                                    let count = self.count;
+                                    count % 900 + 7
+                                };
+                            }
+                            if q_four_9__ {
+                                self.count = {
+                                    let count = last_count_;
+                                    count % 900 + 1
+                                };
+                            }
+                            if self.was_q_four_9_ && !q_four_9__ {
+                                self.count = {
+                                    let count = last_count_;
+                                    count % 900 + 1
+                                };
+                            }
+                            turned_ = self.was_q_four_9_ != q_four_9__;
+                            self.was_q_four_9_ = q_four_9__;
+                            any_68__ = any_68__ || clears_four_three_;
+                            any_68__ = any_68__ || turned_;
+                            self.ds_ff_slow = self.region_1 == __WorksRegion1::Three
+                                && now_.since(self.since_three)
+                                    >= Ticks::new(20u32)
+                                || self.ds_ff_slow;
+                            outputs_.slow = self.ds_ff_slow;
+                            if was_state_three_ == __WorksRegion1::Three
+                                && self.region_1 == __WorksRegion1::Three
+                                && now_.since(self.since_three)
+                                    >= Ticks::new(20u32)
+                            {
+                                self.since_three = now_
+                                    .since(Ticks::new(20u32));
+                            }
+                        }
+                    }
+                }
+                self.sd_tmr_late_held = if self.sd_ff_late && self.sd_tmr_late_in {
+                    self.sd_tmr_late_held + elapsed_
+                } else {
+                    Ticks::ZERO
+                };
+                self.sd_tmr_late_in = self.sd_ff_late;
+                any_68__ = any_68__ || !self.action_edge0_before && inputs_.b;
+                any_68__ = any_68__ || !self.edge1_before && inputs_.a;
+                any_68__ = any_68__ || self.edge2_before && !inputs_.c;
+                any_68__ = any_68__ || self.count != last_count_;
+                outputs_.late = !on_idle_1__ && self.sd_ff_late
+                    && self.sd_tmr_late_held
+                        >= Ticks::new(2000u32);
+                self.settled = !any_68__;
+            }
+        }
+        self.edge1_before = inputs_.a;
+        self.edge2_before = inputs_.c;
+        self.action_edge0_before = inputs_.b;
+        outputs_.count = self.count;
+        outputs_
+    }
+}
+impl Works {
+    /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
+    /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.
+    ///
+    /// For commissioning: nothing that the compiler has proved of the chart's ways holds on this one.
+    ///
+    /// # Errors
+    /// The chart is never in exactly these steps; then nothing has happened.
+    #[allow(unused_assignments, unused_mut, unused_variables)]
+    fn force(
+        &mut self,
+        #[cfg(not(doc))]
+        steps_: &[WorksStep],
+        #[cfg(doc)]
+        steps: &[WorksStep],
+        #[cfg(not(doc))]
+        inputs_: &WorksInputs,
+        #[cfg(doc)]
+        inputs: &WorksInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> Result<
+        WorksOutputs,
+        ForceError<WorksStep>,
+    > {
+        Possible::Listed(b"\x01\n\x12\x0C\x14")
+            .look(<Self as Chart>::STEPS, steps_)?;
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut forced0_: Option<__WorksRegion0> = Option::None;
+        let mut forced1_: Option<__WorksRegion1> = Option::None;
+        for step_ in steps_ {
+            match *step_ {
+                WorksStep::Idle => {
+                    forced0_ = Option::Some(__WorksRegion0::Idle);
+                }
+                WorksStep::One => {
+                    forced0_ = Option::Some(__WorksRegion0::One);
+                }
+                WorksStep::Two => {
+                    forced0_ = Option::Some(__WorksRegion0::Two);
+                }
+                WorksStep::Three => {
+                    forced1_ = Option::Some(__WorksRegion1::Three);
+                }
+                WorksStep::Four => {
+                    forced1_ = Option::Some(__WorksRegion1::Four);
+                }
+            }
+        }
+        let forced0_ = match forced0_ {
+            Option::Some(state_) => state_,
+            Option::None => {
+                return Result::Err(
+                    ForceError::NoSituation,
+                );
+            }
+        };
+        let forced1_ = match forced1_ {
+            Option::Some(state_) => state_,
+            Option::None => __WorksRegion1::NONE,
+        };
+        Result::Ok({
+            let mut outputs_ = WorksOutputs {
+                held: false,
+                late: false,
+                slow: false,
+                lamp: false,
+                count: 3,
+            };
+            let first_: bool = self.region_0
+                == __WorksRegion0::INIT;
+            if first_ {
+                self.region_0 = __WorksRegion0::Idle;
+            }
+            let elapsed_: Ticks = if first_ {
+                Ticks::ZERO
+            } else {
+                now_.since(self.reading)
+            };
+            self.reading = now_;
+            if first_ {
+                self.since_idle = now_;
+                self.since_three = now_;
+            }
+            let was_state_idle_: __WorksRegion0 = self.region_0;
+            let was_state_three_: __WorksRegion1 = self.region_1;
+            let delay0_now_: bool = inputs_.c;
+            self.delay0_held = if delay0_now_ == self.delay0_in {
+                self.delay0_held + elapsed_
+            } else {
+                Ticks::ZERO
+            };
+            self.delay0_in = delay0_now_;
+            if self.delay0_held
+                >= (if delay0_now_ {
+                    Ticks::new(20u32)
+                } else {
+                    Ticks::new(30u32)
+                })
+            {
+                self.delay0_out = delay0_now_;
+            }
+            let edge1_now_: bool = inputs_.a;
+            let edge2_now_: bool = inputs_.c;
+            let entered_idle_: bool = forced0_
+                == __WorksRegion0::Idle
+                && (first_ || was_state_idle_ != __WorksRegion0::Idle);
+            let entered_one_: bool = forced0_
+                == __WorksRegion0::One
+                && (first_ || was_state_idle_ != __WorksRegion0::One);
+            let entered_two_: bool = forced0_
+                == __WorksRegion0::Two
+                && (first_ || was_state_idle_ != __WorksRegion0::Two);
+            let entered_three_: bool = forced1_
+                == __WorksRegion1::Three
+                && (first_ || was_state_three_ != __WorksRegion1::Three);
+            let entered_four_: bool = forced1_
+                == __WorksRegion1::Four
+                && (first_ || was_state_three_ != __WorksRegion1::Four);
+            self.region_0 = forced0_;
+            self.region_1 = forced1_;
+            if entered_idle_ || entered_one_ || entered_two_ {
+                self.since_idle = now_;
+            }
+            if entered_three_ || entered_four_ {
+                self.since_three = now_;
+            }
+            let last_count_: core::primitive::u16 = self.count;
+            let action_edge0_now_: bool = inputs_.b;
+            if first_ {
+                self.action_edge0_before = action_edge0_now_;
+            }
+            let on_idle_0__: bool = self.region_0
+                == __WorksRegion0::Idle;
+            let on_idle_1__: bool = self.region_0
+                == __WorksRegion0::Idle;
+            let on_idle_2__: bool = self.region_0
+                == __WorksRegion0::Idle;
+            let on_one_3__: bool = self.region_0
+                == __WorksRegion0::One;
+            let on_one_4__: bool = self.region_0
+                == __WorksRegion0::One;
+            let on_one_5__: bool = self.region_0
+                == __WorksRegion0::One;
+            let on_two_6__: bool = self.region_0
+                == __WorksRegion0::Two;
+            let on_three_7__: bool = entered_three_;
+            let on_three_8__: bool = self.region_1
+                == __WorksRegion1::Three;
+            let on_four_9__: bool = entered_four_
+                && ({
+                    let rising_0_ = !self.action_edge0_before && action_edge0_now_;
+                    rising_0_
+                });
+            self.s_ff_held = !on_idle_0__ && (on_one_3__ || self.s_ff_held);
+            let q_held_: bool = !on_idle_0__ && self.s_ff_held;
+            self.sd_ff_late = !on_idle_1__ && (on_one_4__ || self.sd_ff_late);
+            self.sd_tmr_late_held = if self.sd_ff_late && self.sd_tmr_late_in {
+                self.sd_tmr_late_held + elapsed_
+            } else {
+                Ticks::ZERO
+            };
+            self.sd_tmr_late_in = self.sd_ff_late;
+            let q_late_: bool = !on_idle_1__ && self.sd_tmr_late_in
+                && self.sd_tmr_late_held >= Ticks::new(2000u32);
+            self.ds_ff_slow = !on_idle_2__
+                && (on_three_8__
+                    && now_.since(self.since_three)
+                        >= Ticks::new(20u32) || self.ds_ff_slow);
+            let q_slow_: bool = !on_idle_2__ && self.ds_ff_slow;
+            let q_lamp_: bool = on_one_5__
+                && !(on_one_5__
+                    && now_.since(self.since_idle)
+                        >= Ticks::new(40u32))
+                || on_two_6__
+                    && now_.since(self.since_idle)
+                        >= Ticks::new(30u32);
+            let q_four_9__: bool = on_four_9__;
+            if on_three_7__ {
+                self.count = {
+                    let count = last_count_;
+                    count % 900 + 7
+                };
+            }
+            outputs_.held = q_held_;
+            outputs_.late = q_late_;
+            outputs_.slow = q_slow_;
+            outputs_.lamp = q_lamp_;
+            if q_four_9__ {
+                self.count = {
+                    let count = last_count_;
+                    count % 900 + 1
+                };
+            }
+            if self.was_q_four_9_ && !q_four_9__ {
+                self.count = {
+                    let count = last_count_;
+                    count % 900 + 1
+                };
+            }
+            self.was_q_four_9_ = q_four_9__;
+            if was_state_idle_ == __WorksRegion0::One
+                && self.region_0 == __WorksRegion0::One
+                && now_.since(self.since_idle) >= Ticks::new(40u32)
+            {
+                self.since_idle = now_.since(Ticks::new(40u32));
+            }
+            if was_state_idle_ == __WorksRegion0::Two
+                && self.region_0 == __WorksRegion0::Two
+                && now_.since(self.since_idle)
+                    >= Ticks::new(4000u32)
+            {
+                self.since_idle = now_.since(Ticks::new(4000u32));
+            }
+            if was_state_three_ == __WorksRegion1::Three
+                && self.region_1 == __WorksRegion1::Three
+                && now_.since(self.since_three)
+                    >= Ticks::new(20u32)
+            {
+                self.since_three = now_.since(Ticks::new(20u32));
+            }
+            self.settled = false;
+            self.edge1_before = edge1_now_;
+            self.edge2_before = edge2_now_;
+            self.action_edge0_before = action_edge0_now_;
+            outputs_.count = self.count;
+            outputs_
+        })
+    }
+}
