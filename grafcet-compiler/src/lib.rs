@@ -1,7 +1,7 @@
 //! The compiler of `grafcet!` as an ordinary library.
 //!
 //! Tokens become an [`ast`], names are resolved into a [`model`], [`analysis`] finds facts about it, [`check`]
-//! turns them into [`diagnostic`]s, [`plan`] decides what the machine code looks like and `codegen` writes it.
+//! turns them into [`diagnostic`]s, [`program`] makes its cycle a program and `codegen` prints that as Rust.
 
 pub mod analysis;
 pub mod ast;

@@ -1,4 +1,4 @@
-//! What is known of a chart, computed once: the checks and the plan ask here.
+//! What is known of a chart, computed once: the checks and the lowering ask here.
 
 use std::cell::OnceCell;
 

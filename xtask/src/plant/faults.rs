@@ -171,7 +171,7 @@ pub(super) const FAULTS: [Fault; 33] = [
     },
     Fault {
         name: "a self-loop lets a timer go on in `sfc` (A4s)",
-        charts: Some("q_"),
+        charts: Some("q_l_reentry"),
         file: "grafcet-compiler/src/program/lower/control.rs",
         right: "not(self.again(target, flags, qualifier))]);",
         wrong: "not(all(vec![no(), self.again(target, flags, qualifier)]))]);",

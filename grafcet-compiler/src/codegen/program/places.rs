@@ -80,22 +80,28 @@ impl<'m> Printer<'_, 'm> {
             }
             Kind::Param => quote!(self.params.#name = #value;),
             Kind::Marked => quote!(self.#name = self.#name.with(#value);),
+            // No block of the user writes it.
+            Kind::Mark | Kind::Unset(_) => TokenStream::new(),
+        }
+    }
+
+    /// The same of an expression, whose value is `tokens`.
+    pub(super) fn set(&self, place: PlaceId, value: &Expr<'m>, tokens: &TokenStream) -> TokenStream {
+        let (on, off) = match self.layout.slot(place).kind {
             Kind::Mark => {
                 let state = self.marked();
-                match value.to_string().as_str() {
-                    "true" => quote!(self.#state = self.#state.unmarked();),
-                    "false" => quote!(self.#state = self.#state.marked();),
-                    _ => quote!(self.#state = if #value { self.#state.unmarked() } else { self.#state.marked() };),
-                }
+                (quote!(self.#state = self.#state.unmarked();), quote!(self.#state = self.#state.marked();))
             }
             Kind::Unset(index) => {
-                let (field, (byte, mask)) = (flags::field(), bit(*index));
-                match value.to_string().as_str() {
-                    "true" => quote!(self.#field[#byte] &= !#mask;),
-                    "false" => quote!(self.#field[#byte] |= #mask;),
-                    _ => quote!(if #value { self.#field[#byte] &= !#mask; } else { self.#field[#byte] |= #mask; }),
-                }
+                let (field, (byte, mask)) = (flags::field(), bit(index));
+                (quote!(self.#field[#byte] &= !#mask;), quote!(self.#field[#byte] |= #mask;))
             }
+            _ => return self.put(place, tokens),
+        };
+        match value {
+            Expr::Value(Value::Bool(true)) => on,
+            Expr::Value(Value::Bool(false)) => off,
+            _ => quote!(if #tokens { #on } else { #off }),
         }
     }
 

@@ -122,16 +122,16 @@ impl<'m> Printer<'_, 'm> {
     fn statement(&self, statement: &Statement<'m>, number: usize, lines: &mut Lines<'_>) -> TokenStream {
         match statement {
             Statement::Set(place, value) => {
-                let (kinds, value) = match (self.info(*place).ty, value) {
+                let (kinds, tokens) = match (self.info(*place).ty, value) {
                     (ty @ Type::Kind { .. }, Expr::Table(of, table)) => self.kinds(ty, *of, table),
                     _ => (TokenStream::new(), self.set_to(*place, value)),
                 };
                 if !lines.scope.declares[number] {
-                    return self.put(*place, &value);
+                    return self.set(*place, value, &tokens);
                 }
                 let (ty, name) = (self.ty(*place), self.layout.name(*place));
                 let mutable = lines.scope.mutable[place.0].then(|| quote!(mut));
-                quote!(#kinds let #mutable #name: #ty = #value;)
+                quote!(#kinds let #mutable #name: #ty = #tokens;)
             }
             Statement::If(condition, then, otherwise) => self.branches(condition, then, otherwise, lines),
             Statement::Match(place, arms, otherwise) => self.arms(*place, arms, otherwise, lines),
