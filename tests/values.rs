@@ -26,6 +26,42 @@ grafcet! {
     }
 }
 
+#[allow(non_camel_case_types)]
+type onoff = bool;
+
+grafcet! {
+    /// What is only shown needs no initial value, also where its type is an alias.
+    sfc Alias {
+        input go: bool;
+        output lamp, late, horn: onoff;
+        initial step Off;
+        step On { lamp; D 5s late; L 2s horn; }
+        Off -[go]-> On -[!go]-> Off;
+    }
+}
+
+grafcet! {
+    grafcet AliasedSearch {
+        input go: bool;
+        output lamp: onoff;
+        initial step Off;
+        step On { lamp if go; }
+        Off -[go]-> On -[!go]-> Off;
+    }
+}
+
+#[test]
+fn an_alias_of_a_boolean_is_one() {
+    let (mut chart, mut search) = (Alias::new(), AliasedSearch::new());
+    let inputs = AliasInputs { go: true };
+    chart.cycle(&inputs, 0_u32);
+    let outputs = chart.cycle(&inputs, 1_u32);
+    assert!(outputs.lamp && !outputs.late && outputs.horn);
+    let outputs = chart.cycle(&inputs, 5_001_u32);
+    assert!(outputs.lamp && outputs.late && !outputs.horn);
+    assert!(search.cycle(&AliasedSearchInputs { go: true }).lamp);
+}
+
 #[test]
 fn charts_of_such_types_are_values() {
     let mut inputs = ValuesInputs::default();

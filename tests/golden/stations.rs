@@ -346,9 +346,12 @@ impl Stations {
                 motor: false,
             }
         };
-        let before_0_ = self.region_0_();
+        let before_0_ = Self::region_0_(self);
         let mut region_0_ = before_0_;
-        let before_1_ = self.region_1_();
+        if before_0_ == __StationsRegion0::INIT {
+            self.situation = [1u8];
+        }
+        let before_1_ = Self::region_1_(self);
         let mut region_1_ = before_1_;
         let first_: ::grafcet::__private::bool = region_0_ == __StationsRegion0::INIT;
         if first_ {
@@ -439,7 +442,6 @@ impl Stations {
                     __StationsRegion0::Out => 32u8,
                     _ => 0u8,
                 };
-            self.situation[0usize] &= !64u8;
         }
         if region_1_ != before_1_ {
             self.situation[0usize] = self.situation[0usize] & 231u8
@@ -467,7 +469,9 @@ impl Stations {
         step: StationsStep,
     ) -> ::grafcet::__private::bool {
         match step_ {
-            StationsStep::Wait => self.situation[0usize] & 1u8 != 0,
+            StationsStep::Wait => {
+                self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0
+            }
             StationsStep::Drill => self.situation[0usize] & 2u8 != 0,
             StationsStep::Drilled => self.situation[0usize] & 4u8 != 0,
             StationsStep::Test => self.situation[0usize] & 8u8 != 0,
@@ -479,7 +483,7 @@ impl Stations {
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<StationsStep, 2> {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
-        if self.situation[0usize] & 1u8 != 0 {
+        if self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0 {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 StationsStep::Wait,
@@ -549,11 +553,11 @@ impl Stations {
     pub fn next_deadline(
         &self,
     ) -> ::grafcet::__private::Option<::grafcet::__private::Ticks> {
-        if !!(self.region_0_() == __StationsRegion0::INIT) {
+        if !!(Self::region_0_(self) == __StationsRegion0::INIT) {
             return ::grafcet::__private::Option::Some(self.since_wait);
         }
         let mut soonest_ = ::grafcet::__private::Option::None;
-        if self.region_0_() == __StationsRegion0::Out {
+        if Self::region_0_(self) == __StationsRegion0::Out {
             soonest_ = ::grafcet::__private::sooner(
                 soonest_,
                 ::grafcet::__private::Option::Some(

@@ -8,7 +8,6 @@ use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::{List, PushAll};
 use crate::model::{Effect, Expr, Model, Name, Place, Read, Ty, VarId};
-
 use crate::sorted::Set;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {

@@ -18,13 +18,16 @@ pub fn initial_values(model: &Model, sink: &mut Sink) {
     }
 }
 
-/// The outputs that are no booleans and keep their value from cycle to cycle: an action stores it, or, in an `sfc`, an expression reads what it was in the cycle
-/// before.
+/// The outputs that keep their value from cycle to cycle: an action stores it, or, in an `sfc`, an expression reads what it was in the cycle before.
 fn remembered(model: &Model) -> Set<OutputId> {
     let output = |place: &Place| if let Place::Output(id) = place { Some(*id) } else { None };
     let mut found = Set::new();
-    // About this cycle only.
-    let lasts = |a: &&Association| !(a.qualifier == Qualifier::N && matches!(a.effect, Effect::Assign(..)));
+    let lasts = |association: &&Association| match association.effect {
+        // What is controlled may be an alias of `bool`.
+        Effect::Control(_) => association.qualifier == Qualifier::S,
+        Effect::Assign(..) => association.qualifier != Qualifier::N,
+        Effect::Call(..) | Effect::Block(_) => true,
+    };
     for association in model.associations.values().filter(lasts) {
         found.extend(association.effect.writes().iter().filter_map(output));
     }

@@ -100,9 +100,9 @@ impl<'m> Cx<'m> {
         Self { model, plan, names: Names::of(model), p: quote!(#root::__private) }
     }
 
-    /// One region has one active step by itself.
+    /// One region whose state is an enum has one active step by itself; bits may be set for several.
     fn is_alone(&self) -> bool {
-        self.plan.one_step
+        self.plan.one_step && !self.model.flags
     }
 }
 

@@ -136,7 +136,7 @@ pub enum Role {
     Before,
     /// Which step of a region is active.
     State(usize),
-    /// Which step of a region, or step of its own, is asked for by hand. Whoever asks sets it before the cycle.
+    /// Which step of a region is asked for by hand. Whoever asks sets it before the cycle.
     Asked(usize),
     /// The time of the active step of a region.
     Time(usize),

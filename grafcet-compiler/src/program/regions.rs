@@ -3,7 +3,7 @@
 //! The regions are the colours of the concurrency relation, given greedily in order of declaration. The relation of a
 //! well-nested chart has no induced path of four steps (it is a cograph), and on such a graph the greedy colouring
 //! needs the fewest colours in any order: one for a chart without parallel branches, else one per parallel branch.
-//!
+
 use crate::analysis::Concurrency;
 use crate::model::{ForceOrder, Id, Model, PartialId, StepId};
 use crate::sorted::Set;

@@ -1,6 +1,6 @@
 //! An interpreter of the model: a second opinion on what a chart does.
 //!
-//! It is written from the page of decisions (A1-A38) alone and shares nothing with `plan` and `codegen`; clarity counts, speed does
+//! It is written from the page of decisions (A1-A38) alone and shares nothing with `program` and `codegen`; clarity counts, speed does
 //! not. Situations are sets of steps, conditions are evaluated over the expression tree, and each function implements a
 //! paragraph of that page.
 //!

@@ -21,7 +21,7 @@ impl Lamp {
         inputs: &LampInputs,
     ) -> LampOutputs {
         let mut outputs_ = LampOutputs { lamp: false };
-        let before_ = self.situation_();
+        let before_ = Self::situation_(self);
         let mut situation_ = before_;
         let mut now_state_: __LampState = situation_;
         situation_ = now_state_;

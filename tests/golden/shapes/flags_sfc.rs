@@ -24,8 +24,11 @@ impl Lamp {
         inputs: &LampInputs,
     ) -> LampOutputs {
         let mut outputs_ = LampOutputs { lamp: false };
-        let before_ = self.situation_();
+        let before_ = Self::situation_(self);
         let mut situation_ = before_;
+        if before_ == __LampState::INIT {
+            self.situation = [1u8];
+        }
         let after_: __LampState;
         match situation_ {
             __LampState::INIT => {
@@ -60,7 +63,6 @@ impl Lamp {
                     __LampState::On => 2u8,
                     _ => 0u8,
                 };
-            self.situation[0usize] &= !4u8;
         }
         outputs_
     }

@@ -2,8 +2,8 @@
 
 use std::fmt::Debug;
 
-use grafcet::Ticks;
 use grafcet::record::{Recordable, RestoreError, restore, snapshot, snapshot_len};
+use grafcet::{Chart, Ticks};
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::Cell;
 use grafcet_record::controller::{Called, Remote};
@@ -169,6 +169,26 @@ fn impossible_situations_are_refused() {
     let mut names: Vec<_> = found.iter().map(|steps| format!("{steps:?}")).collect();
     names.sort();
     assert_eq!(names, ["[Close, Heat]", "[Close, Heated]", "[Closed, Heat]", "[Closed, Heated]", "[Idle]"]);
+}
+
+/// With flags the bit of the first cycle stands with those of initial steps alone, and after that cycle no others are set.
+#[test]
+fn the_first_cycle_begins_in_the_initial_situation() {
+    const START: u8 = 1 << 5;
+    let bytes = bytes_of(&Flags::new());
+    let at = 12 + Flags::PARAM_BITS.div_ceil(8);
+    let mut begun = Vec::new();
+    for value in 0..=u8::MAX {
+        let Ok(mut chart) = restore::<Flags>(&forged(bytes.clone(), |bytes| bytes[at] = value), 0) else { continue };
+        if value & START != 0 {
+            chart.scan(&<Flags as Chart>::Inputs::default(), Ticks::ZERO, &mut ());
+            let active: Vec<_> = <Flags as Chart>::STEPS.iter().filter(|step| chart.is_active(**step)).collect();
+            begun.push((value & !START & 0b11_1111, format!("{active:?}")));
+        }
+    }
+    assert!(begun.len() > 1, "{begun:?}");
+    // With their bits, or without.
+    assert!(begun.iter().all(|(others, active)| *others <= 1 && active == "[Idle]"), "{begun:?}");
 }
 
 grafcet::grafcet! {

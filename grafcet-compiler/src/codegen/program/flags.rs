@@ -73,16 +73,28 @@ impl<'m> Printer<'_, 'm> {
     pub(super) fn flags_field(&self, flags: Flags) -> Field {
         let (p, bytes) = (&self.cx.p, Literal::usize_suffixed(flags.bytes()));
         let starts = flags.start.then_some(flags.start_bit());
-        let initial = array(&flags.set(self.cx.plan.initial.iter().map(|step| step.index()).chain(starts)));
+        let initial = array(&flags.set(self.initial_bits().chain(starts)));
         Field { name: field(), ty: quote!([#p::u8; #bytes]), initial }
+    }
+
+    /// The bits of the steps of the initial situation.
+    fn initial_bits(&self) -> impl Iterator<Item = usize> + '_ {
+        self.cx.plan.initial.iter().map(|step| step.index())
+    }
+
+    /// Whether a step is active; before the first cycle those of the initial situation are (A1).
+    pub(super) fn is_active_by_flags(&self, flags: Flags, step: StepId) -> TokenStream {
+        let active = is_set(step.index());
+        if !(flags.start && self.cx.plan.initial.contains(&step)) {
+            return active;
+        }
+        let starting = is_set(flags.start_bit());
+        quote!(#active || #starting)
     }
 
     /// The situation, in which nothing but steps is told.
     pub(super) fn situation_of_flags(&self, flags: Flags) -> TokenStream {
         let (field, name) = (field(), &self.cx.names.situation);
-        if flags.steps % 8 == 0 && !flags.start && !flags.unstable {
-            return quote!(#name { steps: self.#field });
-        }
         let others = [flags.start.then_some(flags.start_bit()), flags.unstable.then_some(flags.unstable_bit())];
         let hidden = others.into_iter().flatten().map(|index| {
             let (byte, mask) = bit(index);
@@ -95,7 +107,7 @@ impl<'m> Printer<'_, 'm> {
         quote!(let mut steps_ = self.#field; #hidden #name { steps: steps_ })
     }
 
-    /// A method for each region of which somebody asks the state.
+    /// A function for each region that is asked for or changed: its state.
     pub(super) fn unpacking(&self, flags: Flags) -> Option<TokenStream> {
         let chart = &self.cx.names.chart;
         let places = (0..self.program.places.len()).map(PlaceId);
@@ -174,7 +186,7 @@ impl<'m> Printer<'_, 'm> {
             Seen::Written(place) => written[place.0] = true,
             Seen::Set(..) | Seen::Arm(..) | Seen::Entry(_) | Seen::Value(_) => {}
         });
-        let (mut front, mut behind) = (TokenStream::new(), TokenStream::new());
+        let (mut first, mut front, mut behind) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
         for index in 0..self.program.places.len() {
             let place = PlaceId(index);
             if self.layout.slot(place).kind != Kind::Unpacked || !(read[index] || written[index]) {
@@ -182,25 +194,28 @@ impl<'m> Printer<'_, 'm> {
             }
             let name = self.layout.name(place);
             if !written[index] {
-                front.extend(quote!(let #name = self.#name();));
+                front.extend(quote!(let #name = Self::#name(self);));
                 continue;
             }
             let (region, before) = (self.region_of(place), names::before(self.region_of(place), self.cx.plan));
-            front.extend(quote!(let #before = self.#name(); let mut #name = #before;));
+            let unpack = quote!(let #before = Self::#name(self); let mut #name = #before;);
+            if self.layout.regions[region].start.is_some() {
+                // No other bits are set then, whatever a state says that was stored elsewhere.
+                let (start, field, initial) = (self.start(region), field(), array(&flags.set(self.initial_bits())));
+                first.extend(quote!(#unpack if #before == #start { self.#field = #initial; }));
+            } else {
+                front.extend(unpack);
+            }
             let packed = self.packed(flags, region, name, &before);
             behind.extend(quote!(if #name != #before { #packed }));
         }
-        (front, behind)
+        (quote!(#first #front), behind)
     }
 
     /// The bits of a region become those of its state.
     fn packed(&self, flags: Flags, region: usize, state: &Ident, before: &Ident) -> TokenStream {
         let (p, field, steps) = (&self.cx.p, field(), self.program.states(region));
         let starts = self.layout.regions[region].start;
-        let started = starts.map(|_| {
-            let (byte, mask) = bit(flags.start_bit());
-            quote!(self.#field[#byte] &= !#mask;)
-        });
         let bytes = steps.iter().map(|step| step.index() / 8);
         if let (Some(byte), true) = (bytes.clone().min(), bytes.clone().min() == bytes.max()) {
             let mask = steps.iter().fold(0_u8, |mask, step| mask | 1 << (step.index() % 8));
@@ -210,17 +225,14 @@ impl<'m> Printer<'_, 'm> {
             });
             let rest = (self.layout.regions[region].empty || starts.is_some()).then(|| quote!(_ => 0u8,));
             let (byte, others) = (Literal::usize_suffixed(byte), Literal::u8_suffixed(!mask));
-            return quote! {
-                self.#field[#byte] = self.#field[#byte] & #others | match #state { #(#arms)* #rest };
-                #started
-            };
+            return quote!(self.#field[#byte] = self.#field[#byte] & #others | match #state { #(#arms)* #rest };);
         }
         let (mut from, to) = (self.index(flags, region, before), self.index(flags, region, state));
         if let Some(Start(Some(seen))) = starts {
             let (start, seen) = (self.start(region), Literal::usize_suffixed(seen.index()));
             from = quote!(if #before == #start { #seen } else { #from });
         }
-        quote!(#p::flags::exchange(&mut self.#field, #from, #to); #started)
+        quote!(#p::flags::exchange(&mut self.#field, #from, #to);)
     }
 
     /// The bit of a state; none is behind all of them.

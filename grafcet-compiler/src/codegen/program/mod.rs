@@ -26,7 +26,7 @@ use super::state::StateEnum;
 use super::{Cx, meaning, names, state, types};
 use crate::held::Held;
 use crate::list::List;
-use crate::model::{Id, StepId, Ty};
+use crate::model::{StepId, Ty};
 use crate::place::quote;
 use crate::program::{self, PlaceId, Program, Role, Statement, Wait};
 
@@ -182,8 +182,8 @@ impl<'m> Printer<'_, 'm> {
     }
 
     fn is_active(&self, step: StepId) -> TokenStream {
-        if self.layout.flags.is_some() {
-            return flags::is_set(step.index());
+        if let Some(flags) = self.layout.flags {
+            return self.is_active_by_flags(flags, step);
         }
         let (region, states) = self.program.home(step);
         let Some(place) = self.program.place(Role::State(region)) else { return quote!(false) };

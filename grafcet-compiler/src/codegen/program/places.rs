@@ -58,7 +58,8 @@ impl<'m> Printer<'_, 'm> {
                 quote!(!self.#state.is_marked())
             }
             Kind::Unpacked if self.within => name.to_token_stream(),
-            Kind::Unpacked => quote!(self.#name()),
+            // Not as a method: one of a trait of the user may be found first.
+            Kind::Unpacked => quote!(Self::#name(self)),
             Kind::Unset(index) => {
                 let is_set = flags::is_set(*index);
                 quote!(!(#is_set))

@@ -1,6 +1,6 @@
 //! In which states a statement matters: so each state is looked at with the statements that concern it, and not with all of them.
 //!
-//! A truth that begins each cycle as false can be true only in some states, by what it is set from. What would only set such a truth to
+//! A truth that is false in front of a list, as what begins each cycle so, can be true behind it only in some states, by what it is set from. What would only set such a truth to
 //! false in all other states, or do nothing there, need not be looked at for them.
 
 use super::super::{Expr, PlaceId, PlaceInfo, Statement, Value};
@@ -155,7 +155,7 @@ impl Index {
         Sparse::new(places, state, None, assumed, points).index(list, end)
     }
 
-    /// All statements in all states; none of them writes the state.
+    /// All statements in all states.
     pub(super) fn whole(places: usize, list: usize, points: &States) -> Self {
         let none = vec![Vec::new(); points.all.len()];
         Self { always: (0..list).collect(), before: none.clone(), after: none, last: 0, forks: vec![false; places] }

@@ -1,4 +1,4 @@
-//! Machines of several partial grafcets one above another, drawn so that an evolution can change them in place: branches
+//! Machines of several partial grafcets one above another, whose levels can be decided from the top downwards: branches
 //! exclude each other, each partial grafcet has one above it, and stored actions read nothing that changes with them.
 
 use std::fmt::Write as _;

@@ -67,8 +67,8 @@ pub mod methods {
         ($($self:tt)+) => {
             methods! { @@ ($($self)+)
                 active_steps after copied cycle debug_set elapsed entry filter finish flatten force get init is_active is_exactly is_marked
-                is_none is_same is_stable iter look map marked name next next_deadline of output pad params phase push remaining scan set_params
-                since situation state steps take ticks unmarked unwrap_or_else update vars with wrapping_add write write_str
+                is_none is_same is_stable iter look map marked name next next_deadline of output pad params phase push region_0_ region_1_ remaining
+                scan set_params since situation situation_ state steps take ticks unmarked unwrap_or_else update vars with wrapping_add write write_str
             }
         };
     }
