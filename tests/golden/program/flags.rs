@@ -23,7 +23,7 @@ impl Pair {
         inputs: &PairInputs,
     ) -> PairOutputs {
         let mut outputs_ = PairOutputs { q: false };
-        let before_ = self.situation_();
+        let before_ = Self::situation_(self);
         let mut situation_ = before_;
         let was_state_: __PairState = situation_;
         let entered_s1__: bool;
