@@ -96,3 +96,55 @@ fn flags_of_more_than_32_bytes_do_not_go_with_serde() {
     assert_eq!(marked(255, both, ""), 0);
     assert_eq!(marked(255, "#[derive(Hash, rkyv::Serialize)]", "encoding flags;"), 0);
 }
+
+/// From each of its three hundred steps all inputs let the ring turn until the bound stops it: that is followed once.
+#[test]
+fn a_ring_that_its_inputs_let_turn_is_explored_whole() {
+    let mut body = String::from("initial step S0 { S lamp; } step S1 { R lamp; }\n");
+    for step in 0..300 {
+        if step > 1 {
+            _ = writeln!(body, "step S{step};");
+        }
+        _ = writeln!(body, "S{step} -[i{}]-> S{};", step % 16, (step + 1) % 300);
+    }
+    let inputs: Vec<String> = (0..16).map(|input| format!("i{input}")).collect();
+    let chart = |claim: &str| {
+        format!("grafcet Chart {{ input {}: bool; output lamp: bool; {body} {claim} }}", inputs.join(", "))
+    };
+    assert_eq!(rules(&chart("never S9.X && lamp; home S0;")), [] as [&str; 0]);
+    assert_eq!(rules(&chart("never S0.X && lamp; home S0;")), ["property_violated"]);
+}
+
+/// The ring gives `n` a new value in each turn, so that another way may be taken in each: the turns are not alike.
+#[test]
+fn a_ring_in_which_something_is_forgotten_is_followed() {
+    let mut body = String::from("initial step Idle; step A0 { P1 n = level; } step Other;\n");
+    for step in 0..12 {
+        if step > 0 {
+            _ = writeln!(body, "step A{step};");
+        }
+        let condition = if step == 10 { "n > 5" } else { "true" };
+        _ = writeln!(body, "A{step} -[{condition}]-> A{};", (step + 1) % 12);
+    }
+    let chart = format!(
+        "grafcet Chart {{ max_evolutions 36; input level: u16; input go: bool; var n: u16 = 9; {body}
+         Idle -[n > 5]-> A1; A10 -[n <= 5]-> Other; Other -[go]-> Idle; never Other.X; }}"
+    );
+    assert_eq!(rules(&chart), ["property_undecided"]);
+}
+
+/// A search that is stopped after twelve evolutions has cleared as many transitions, wherever it was in its turn then.
+#[test]
+fn a_way_through_a_turn_has_what_clears_and_no_more() {
+    let said = judged::said(
+        "grafcet Chart { input x, y: bool; initial step Idle; step Pa; step Qu; step Pb; step Pc;
+         Idle -[x]-> (Pa, Qu); Pa -[x]-> (Qu, Pb); Pb -[x]-> Pc; Pc -[x]-> Pa; Qu -[y]-> Idle; }",
+    );
+    let way = said
+        .iter()
+        .flat_map(|one| one.lines())
+        .find(|line| line.contains("x, !y"))
+        .expect("a way to where Qu is activated again");
+    assert_eq!(way.matches('→').count(), 12, "{way}");
+    assert!(way.contains("Pb → Pc | (Qu, Pc)"), "{way}");
+}

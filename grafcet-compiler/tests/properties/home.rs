@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::judged::{diagnostics, said};
+use crate::judged::{diagnostics, names, said};
 use crate::{beside, fails, holds};
 
 #[test]
@@ -129,4 +129,19 @@ fn home_beside_much() {
     holds(&beside(first, second, &format!("{rest} home A; home (B, U); home A17;")));
     let table = fails(&beside(first, second, &format!("{rest} never B.X && a && b;")), "property_violated", "");
     assert_eq!(table.last().map(|line| line.ends_with("| B")), Some(true), "{table:#?}");
+}
+
+/// The runs of one cycle part in the middle: what one of them takes for granted of a call another one does not.
+#[test]
+fn what_a_run_takes_for_granted_is_its_own() {
+    let chart = |home: &str| {
+        format!(
+            "grafcet Chart {{ input go, up, back: bool; input level: u16;
+             initial step Idle; step Wait; step Fill; step Full;
+             Idle -[go]-> Wait; Wait -[!up]-> Fill; Fill -[rising(back)]-> Idle;
+             Fill -[!rising(back) && near(level)]-> Full; Full -[rising(back)]-> Idle; home {home}; }}"
+        )
+    };
+    assert_eq!(names(&chart("Wait")), [] as [&str; 0]);
+    assert_eq!(names(&chart("Full")), ["property_undecided"]);
 }

@@ -38,7 +38,7 @@ impl Search<'_, '_> {
             next.ages = self.valuation.ages(&state.active).into();
         }
         // What the watched expressions ask for is no part of the way on.
-        let news = || !done.doubled.is_empty() || self.watches() || !self.index.contains_key(&next);
+        let news = || !done.doubled.is_empty() || self.watches() || self.number_of(&next, &next.before).is_none();
         let (given, past) = match decided {
             Some(decided) => decided,
             None if news() => self.valuation.decided(),

@@ -3,6 +3,7 @@
 pub(crate) mod alone;
 pub(crate) mod endless;
 pub(crate) mod graph;
+pub(crate) mod index;
 pub(crate) mod leaf;
 pub(crate) mod reduction;
 pub(crate) mod settles;
@@ -11,15 +12,17 @@ pub(crate) mod some_ways;
 pub(crate) mod whole;
 
 use crate::list::List;
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use self::graph::{Cycle, Doubled, Edge, End, Graph, Origin, Seen};
+use self::index::Index;
 use self::leaf::Leaf;
 use crate::analysis::explore::net::formula::AtomId;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::net::{Net, Order};
 use crate::analysis::explore::semantics;
+use crate::analysis::explore::semantics::trail::Trail;
+use crate::analysis::explore::semantics::turn::Turn;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{State, Valuation, When};
 use crate::model::{StepId, TransitionId};
@@ -29,7 +32,7 @@ use crate::sorted::{sort, sort_unstable};
 pub(crate) struct Search<'n, 's> {
     pub(crate) valuation: Valuation<'n>,
     pub(crate) graph: Graph,
-    pub(crate) index: BTreeMap<Rc<State>, usize>,
+    pub(crate) index: Index,
     pub(crate) seen: &'s mut Seen,
     pub(crate) limit: u64,
     /// Slots that other pieces write, too.
@@ -56,7 +59,7 @@ impl<'n, 's> Search<'n, 's> {
         Self {
             valuation: Valuation::new(net, unit),
             graph: Graph::of(net, unit),
-            index: BTreeMap::new(),
+            index: Index::default(),
             seen,
             limit,
             foreign,
@@ -177,22 +180,23 @@ impl<'n, 's> Search<'n, 's> {
 
     /// The number of a state; where one is known that differs by knowing less of the past, it stands for both.
     pub(crate) fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
-        if !state.before.is_empty() && !self.thorough {
-            let general = State { before: Box::default(), ..state.clone() };
-            if let Some(known) = self.index.get(&general) {
-                return *known;
-            }
-        }
-        if let Some(known) = self.index.get(&state) {
-            return *known;
+        let general = !state.before.is_empty() && !self.thorough;
+        let known = general.then(|| self.number_of(&state, &[])).flatten();
+        if let Some(known) = known.or_else(|| self.number_of(&state, &state.before)) {
+            return known;
         }
         self.seen.situation(&state.active);
         let (number, state) = (self.graph.states.len(), Rc::new(state));
-        self.index.insert(Rc::clone(&state), number);
+        self.index.insert(&state, number);
         self.graph.states.push(state);
         self.graph.origins.push(origin);
         self.graph.edges.push(Vec::new());
         number
+    }
+
+    /// The number of this state, if it remembers `past` of the cycle before.
+    pub(crate) fn number_of(&self, state: &State, past: &[(AtomId, Known)]) -> Option<usize> {
+        self.index.find(&self.graph.states, state, past)
     }
 
     /// Runs all cycles from a state; `false` if the budget ran out.
@@ -234,8 +238,9 @@ impl<'n, 's> Search<'n, 's> {
         let mut leaves = Vec::new();
         self.valuation.lazy = lazy;
         self.valuation.tape.restart();
+        let mut trail = Trail::followed();
         loop {
-            let (when, done) = semantics::run(&mut self.valuation, state, enabled);
+            let (when, done) = semantics::run(&mut self.valuation, state, enabled, &mut trail);
             let leaf = self.leaf(state, when, done);
             if self.valuation.spoilt {
                 return None;
@@ -288,6 +293,9 @@ impl<'n, 's> Search<'n, 's> {
         for transition in &done.enabled_later {
             self.seen.enabled[*transition] = true;
         }
+        if let Some(turn) = done.passed.as_ref().filter(|turn| turn.is_new()) {
+            self.note(turn);
+        }
         sort(&mut cycle.granted);
         let demands = (self.thorough && !late).then(|| self.demands(&cycle).into_boxed_slice());
         for (step, by) in done.doubled {
@@ -300,6 +308,9 @@ impl<'n, 's> Search<'n, 's> {
             }
         }
         let mut joins: Vec<TransitionId> = done.enabled_later;
+        if let Some(turn) = done.passed {
+            joins.extend_from_slice(&turn.joins);
+        }
         joins.retain(|transition| net.arcs[*transition].sources.len() > 1);
         sort_unstable(&mut joins);
         joins.dedup();
@@ -308,6 +319,17 @@ impl<'n, 's> Search<'n, 's> {
         let to = self.insert(next, Some(Origin { from, cycle }));
         self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: demands });
         to
+    }
+
+    /// What happens in a turn that searches make which were stopped by their bound.
+    fn note(&mut self, turn: &Turn) {
+        turn.situations().for_each(|active| self.seen.situation(active));
+        for transition in &turn.able {
+            self.seen.able[*transition] = true;
+        }
+        for transition in &turn.enabled {
+            self.seen.enabled[*transition] = true;
+        }
     }
 
     /// What a cycle takes for granted, with what cannot be chosen whatever that is.

@@ -13,6 +13,7 @@ use super::leaf::Leaf;
 use super::reduction;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::semantics;
+use crate::analysis::explore::semantics::trail::Trail;
 use crate::analysis::explore::valuation::{State, When};
 use crate::analysis::explore::verdicts::Report;
 use crate::analysis::explore::verdicts::future::{Future, ends};
@@ -287,7 +288,7 @@ impl Search<'_, '_> {
                 }
             }
         }
-        let (when, done) = semantics::go_on(&mut self.valuation, state, enabled);
+        let (when, done) = semantics::go_on(&mut self.valuation, state, enabled, &mut Trail::default());
         if at.is_some_and(|transition| !done.cleared.contains(&transition)) {
             return None;
         }

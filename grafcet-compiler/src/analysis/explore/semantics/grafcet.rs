@@ -2,6 +2,7 @@
 
 use super::hierarchy;
 use super::sfc::perform;
+use super::trail::Trail;
 use super::{Done, evolve, note_doubled, turn};
 use crate::analysis::explore::net::actions::Action;
 use crate::analysis::explore::net::slots::Bit;
@@ -19,36 +20,49 @@ struct Outcome {
     more: bool,
 }
 
-pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[TransitionId], done: &mut Done) -> When {
-    let net = valuation.net;
+pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[TransitionId], trail: &mut Trail) -> When {
     if state.first {
         activate(valuation);
     }
-    let mut evolutions = 0;
-    let mut anchor = None;
+    search(valuation, state, enabled, trail)
+}
+
+/// From the evolution on that comes next.
+pub(super) fn search(
+    valuation: &mut Valuation<'_>,
+    state: &State,
+    enabled: &[TransitionId],
+    trail: &mut Trail,
+) -> When {
+    let net = valuation.net;
+    // What is asked keeps a search from coming back to where it was before, so where a run is taken up there are none.
+    let mut anchors = None;
     let bound = if valuation.to_the_turn { net.max_evolutions.saturating_mul(turn::FAR) } else { net.max_evolutions };
     loop {
-        let fireable = fireable(valuation, enabled, evolutions, done);
+        let fireable = fireable(valuation, enabled, trail);
+        let Trail { done, evolutions, .. } = &mut *trail;
         // An order of the initial situation takes hold with the first evolution.
-        let settled = !state.first || evolutions > 0;
+        let settled = !state.first || *evolutions > 0;
         let (after, cleared) = step(valuation, fireable, settled, done);
-        if evolutions == 0 {
+        if *evolutions == 0 {
             done.at_first = cleared.len();
         }
         let outcome = actions(valuation, &after, &cleared);
+        trail.unmark(valuation);
+        let Trail { done, evolutions, .. } = &mut *trail;
         let changes = outcome.more
             || after != valuation.now.active
             || outcome.writes.iter().any(|(slot, bit)| valuation.now.slots[*slot] != *bit);
         if !changes {
             done.cleared.push_all(cleared);
-            done.too_long = evolutions > net.max_evolutions;
+            done.too_long = *evolutions > net.max_evolutions;
             return When::Sample;
         }
-        if evolutions >= bound {
+        if *evolutions >= bound {
             done.unstable = true;
             return When::Before;
         }
-        evolutions += 1;
+        *evolutions += 1;
         done.evolves = true;
         if writes_more(valuation, &after, &cleared) {
             valuation.forget_volatile();
@@ -59,8 +73,8 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
         commit(valuation, after, outcome.writes);
         if !valuation.to_the_turn {
             done.transient.push(valuation.now.active.clone());
-            evolutions = turn::skip(valuation, evolutions, &mut anchor);
-        } else if let Some(turn) = turn::of(valuation, evolutions, &done.cleared, &mut anchor) {
+            *evolutions = turn::skip(valuation, *evolutions, done, &mut anchors);
+        } else if let Some(turn) = turn::of(valuation, *evolutions, done, &mut anchors) {
             done.turn = Some(turn);
             done.unstable = true;
             return When::Before;
@@ -68,26 +82,25 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
     }
 }
 
-/// The enabled transitions whose conditions hold, after so many evolutions.
-fn fireable(
-    valuation: &mut Valuation<'_>,
-    enabled: &[TransitionId],
-    evolutions: usize,
-    done: &mut Done,
-) -> Vec<TransitionId> {
+/// The enabled transitions whose conditions hold.
+fn fireable(valuation: &mut Valuation<'_>, enabled: &[TransitionId], trail: &mut Trail) -> Vec<TransitionId> {
     let net = valuation.net;
-    let mut tried = if evolutions == 0 {
+    let lengths = trail.done.lengths();
+    let mut tried = if trail.evolutions == 0 {
         super::tried(valuation, enabled)
     } else {
         let enabled = super::enabled(net, valuation.unit, &valuation.now.active);
         if !valuation.to_the_turn {
-            done.enabled_later.extend_from_slice(&enabled);
+            trail.done.enabled_later.extend_from_slice(&enabled);
         }
         if valuation.lazy { reduction::later(valuation, &enabled) } else { enabled }
     };
+    if trail.is_marked(valuation) && tried.iter().any(|transition| valuation.is_open(&net.arcs[*transition].atoms)) {
+        trail.mark(valuation, lengths);
+    }
     tried.retain(|transition| valuation.decide(&net.arcs[*transition].condition, When::Now));
     if !valuation.to_the_turn {
-        done.able.extend_from_slice(&tried);
+        trail.done.able.extend_from_slice(&tried);
     }
     tried
 }

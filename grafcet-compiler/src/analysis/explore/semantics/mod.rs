@@ -3,10 +3,12 @@
 pub(crate) mod grafcet;
 pub(crate) mod hierarchy;
 pub(crate) mod sfc;
+pub(crate) mod trail;
 pub(crate) mod turn;
 
 use std::rc::Rc;
 
+use self::trail::Trail;
 use self::turn::Turn;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::search::reduction::arbitrate;
@@ -15,7 +17,7 @@ use crate::model::{StepId, TransitionId};
 use crate::sorted::sort_unstable;
 
 /// What happened in one run of a cycle.
-#[derive(Default, Debug)]
+#[derive(Clone, Default, Debug)]
 pub(crate) struct Done {
     /// The transitions cleared, evolution by evolution.
     pub(crate) cleared: Vec<TransitionId>,
@@ -35,6 +37,8 @@ pub(crate) struct Done {
     pub(crate) unstable: bool,
     /// Where it was followed until it turns.
     pub(crate) turn: Option<Rc<Turn>>,
+    /// One that another search has made, of which this one was in the middle: until it was stopped by its bound it made that turn.
+    pub(crate) passed: Option<Rc<Turn>>,
     /// It came to rest where the bound would have stopped it before.
     pub(crate) too_long: bool,
 }
@@ -69,21 +73,35 @@ pub(crate) fn enabled(net: &Net, unit: Option<usize>, active: &[StepId]) -> Vec<
     enabled
 }
 
-/// Runs one cycle from `state`; also returns which snapshot the edges of the next one compare with.
-pub(crate) fn run(valuation: &mut Valuation<'_>, state: &State, enabled: &[TransitionId]) -> (When, Done) {
-    valuation.begin(state);
-    go_on(valuation, state, enabled)
+/// Runs one cycle from `state`, from where the runs on this trail have come that answer the same; also returns which snapshot the edges
+/// of the next one compare with.
+pub(crate) fn run(
+    valuation: &mut Valuation<'_>,
+    state: &State,
+    enabled: &[TransitionId],
+    trail: &mut Trail,
+) -> (When, Done) {
+    if trail.take_up(valuation) {
+        (grafcet::search(valuation, state, enabled, trail), trail.done.clone())
+    } else {
+        valuation.begin(state);
+        go_on(valuation, state, enabled, trail)
+    }
 }
 
 /// The same, where something has been decided about its inputs before.
-pub(crate) fn go_on(valuation: &mut Valuation<'_>, state: &State, enabled: &[TransitionId]) -> (When, Done) {
+pub(crate) fn go_on(
+    valuation: &mut Valuation<'_>,
+    state: &State,
+    enabled: &[TransitionId],
+    trail: &mut Trail,
+) -> (When, Done) {
+    if valuation.net.grafcet {
+        trail.begin(valuation);
+        return (grafcet::cycle(valuation, state, enabled, trail), trail.done.clone());
+    }
     let mut done = Done::default();
-    let when = if valuation.net.grafcet {
-        grafcet::cycle(valuation, state, enabled, &mut done)
-    } else {
-        sfc::cycle(valuation, state, enabled, &mut done)
-    };
-    (when, done)
+    (sfc::cycle(valuation, state, enabled, &mut done), done)
 }
 
 /// The state that a cycle leaves behind.

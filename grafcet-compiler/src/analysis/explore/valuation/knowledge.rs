@@ -79,6 +79,16 @@ impl Tape {
         self.at
     }
 
+    /// Whether the first `count` answers of this run are those of the run before.
+    pub(crate) fn repeats(&self, count: usize) -> bool {
+        count < self.answers.len()
+    }
+
+    /// Goes on behind the first `count` answers.
+    pub(crate) fn skip_to(&mut self, count: usize) {
+        self.at = count;
+    }
+
     /// Goes to the next sequence of answers; `false` if this was the last.
     pub(crate) fn advance(&mut self) -> bool {
         self.answers.truncate(self.at);

@@ -1,6 +1,7 @@
 //! One cycle's valuation, as far as it has been asked for.
 
 pub(crate) mod computed;
+pub(crate) mod kept;
 pub(crate) mod knowledge;
 
 mod decide;
@@ -101,6 +102,9 @@ pub(crate) struct Valuation<'n> {
     pub(crate) late: bool,
     /// Actions that are not followed may have run in this cycle.
     acted: bool,
+    /// How often they may have, and how often that let something be forgotten.
+    pub(crate) acts: usize,
+    forgotten: usize,
     /// The watched pairs of actions that have run together in this run, and which have been seen to before.
     pub(crate) met: Vec<usize>,
     pub(crate) have_met: Vec<bool>,
@@ -144,6 +148,8 @@ impl<'n> Valuation<'n> {
             granted: Vec::new(),
             late: false,
             acted: false,
+            acts: 0,
+            forgotten: 0,
             met: Vec::new(),
             have_met: Vec::new(),
             waits: Waits::new(),
@@ -285,17 +291,38 @@ impl<'n> Valuation<'n> {
         }
     }
 
+    /// Whether something is left to be asked about one of the atoms.
+    pub(crate) fn is_open(&self, atoms: &[AtomId]) -> bool {
+        atoms.iter().any(|atom| !self.is_settled(*atom))
+    }
+
     /// What calls give may be another value in the next evolution.
     pub(crate) fn forget_calls(&mut self) {
-        self.acted = true;
+        self.act();
         for atom in &self.net.calls {
-            self.given.forget(*atom);
+            self.forget(*atom);
         }
+    }
+
+    fn act(&mut self) {
+        self.acted = true;
+        self.acts += 1;
+    }
+
+    fn forget(&mut self, atom: AtomId) {
+        self.forgotten += usize::from(self.given.get(atom) != Known::Unknown);
+        self.given.forget(atom);
+    }
+
+    /// How many questions there have been in this run, and how often something known was forgotten: where both are as they were, what was
+    /// known has been known all the time, and nothing else.
+    pub(crate) fn has_known(&self) -> (usize, usize) {
+        (self.tape.asked(), self.forgotten)
     }
 
     /// Actions that are not followed may have changed what is known of variables.
     pub(crate) fn forget_volatile(&mut self) {
-        self.acted = true;
+        self.act();
         let net = self.net;
         if !net.has_volatile || !self.given.learnt().iter().any(|atom| net.atoms[*atom].volatile) {
             return;
@@ -303,7 +330,7 @@ impl<'n> Valuation<'n> {
         self.impossible |= !self.goes_together();
         for atom in self.given.learnt().to_vec() {
             if self.net.atoms[atom].volatile {
-                self.given.forget(atom);
+                self.forget(atom);
             }
         }
     }
