@@ -4,7 +4,7 @@ use super::demands::{Demand, holds};
 use super::{Relation, drags};
 use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
-use crate::sorted::{Set, sort};
+use crate::sorted::{Set, sort, sort_unstable};
 
 /// A transition.
 pub(super) struct Arc {
@@ -108,35 +108,62 @@ impl Chart {
         }
     }
 
-    /// Finds the transitions that must be looked at together.
+    /// Finds the transitions that must be looked at together: both ask for steps, they share a source, or one that asks activates a source of
+    /// the other.
     fn pair(&mut self, drags: &[Vec<usize>]) {
         let arcs = &self.arcs;
-        let share = |a: &Arc, b: &Arc| a.sources.iter().any(|source| b.sources.contains(source));
-        let enters = |a: &Arc, b: &Arc| a.asks && a.targets.iter().any(|target| b.sources.contains(target));
-        let together = |a: &Arc, b: &Arc| a.asks && b.asks || share(a, b) || enters(a, b) || enters(b, a);
-        let partners = |(index, arc): (usize, &Arc)| -> Set<usize> {
-            let others = arcs.iter().enumerate().filter(|(other, _)| *other != index);
-            others.filter(|(_, b)| together(arc, b)).map(|(other, _)| other).collect()
-        };
-        let mut partners: Vec<Set<usize>> = arcs.iter().enumerate().map(partners).list();
         let entered: Vec<Vec<usize>> = arcs.iter().map(|arc| self.entered(&arc.targets)).list();
-        let mut dragged: Vec<Vec<usize>> = Vec::new();
+        let leaving = self.by_step(arcs.iter().map(|arc| &arc.sources[..]));
+        let entering = self.by_step(entered.iter().map(|entered| &entered[..]));
+        let asking: Vec<usize> = (0..arcs.len()).filter(|index| arcs[*index].asks).list();
+        let mut activating = vec![Vec::new(); self.part_of.len()];
+        for index in &asking {
+            for target in &arcs[*index].targets {
+                activating[*target].push(*index);
+            }
+        }
+        let mut partners: Vec<Vec<usize>> = Vec::with_capacity(arcs.len());
+        let mut dragged: Vec<Vec<usize>> = Vec::with_capacity(arcs.len());
+        for arc in arcs {
+            let mut found = Vec::new();
+            if arc.asks {
+                found.extend(&asking);
+                arc.targets.iter().for_each(|target| found.extend(&leaving[*target]));
+            }
+            for source in &arc.sources {
+                found.extend(&leaving[*source]);
+                found.extend(&activating[*source]);
+            }
+            partners.push(found);
+        }
         for (index, drags) in drags.iter().enumerate() {
             let steps: Vec<usize> = drags.iter().flat(|drag| arcs[*drag].sources.iter().copied()).list();
             // Whatever leaves or enters such a step in the same evolution is not seen one after the other.
             for step in &steps {
-                let touches = |other: &usize| arcs[*other].sources.contains(step) || entered[*other].contains(step);
-                for other in (0..arcs.len()).filter(|other| *other != index && touches(other)) {
-                    partners[index].insert(other);
-                    partners[other].insert(index);
+                for other in leaving[*step].iter().and(&entering[*step]) {
+                    partners[index].push(*other);
+                    partners[*other].push(index);
                 }
             }
             dragged.push(steps);
         }
-        for (arc, (partners, dragged)) in self.arcs.iter_mut().zip(partners.into_iter().zip(dragged)) {
-            arc.partners = partners.into_iter().list();
-            arc.dragged = dragged;
+        for (index, (mut partners, dragged)) in partners.into_iter().zip(dragged).enumerate() {
+            sort_unstable(&mut partners);
+            partners.dedup();
+            partners.retain(|other| *other != index);
+            (self.arcs[index].partners, self.arcs[index].dragged) = (partners, dragged);
         }
+    }
+
+    /// Per step the transitions that have it among these of theirs.
+    fn by_step<'s>(&self, of_arcs: impl Iterator<Item = &'s [usize]>) -> Vec<Vec<usize>> {
+        let mut by_step = vec![Vec::new(); self.part_of.len()];
+        for (index, steps) in of_arcs.enumerate() {
+            for step in steps {
+                by_step[*step].push(index);
+            }
+        }
+        by_step
     }
 
     /// The steps with all that becomes active with them: what they enclose and force.

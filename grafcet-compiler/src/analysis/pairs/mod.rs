@@ -41,9 +41,12 @@ pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>
     let start: Vec<usize> = initial_situation(model).iter().map(|step| step.index()).list();
     search.enter_together(&start);
     search.queue_all(&search.chart.sourceless.clone());
-    while let Some(arc) = search.work.pop() {
-        search.queued[arc] = false;
-        search.fire(arc);
+    // In rounds: what a transition leads to is looked at once for all that has become known meanwhile.
+    while !search.work.is_empty() {
+        for arc in std::mem::take(&mut search.work) {
+            search.queued[arc] = false;
+            search.fire(arc);
+        }
     }
     Pairs { relation: search.relation, reachable: search.reachable, clears: search.clears }
 }
