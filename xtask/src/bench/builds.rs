@@ -17,7 +17,7 @@ use crate::toolchain;
 pub(super) const CRATES: [&str; 3] = ["grafcet", "smlang", "statig"];
 
 /// Each build is done so often, in turns; the shortest counts.
-const ROUNDS: usize = 2;
+pub(super) const ROUNDS: usize = 2;
 
 /// How many charts stand in the crate of small ones, and of how many steps each is.
 const SMALL: (usize, usize) = (100, 4);
@@ -80,11 +80,11 @@ impl Times {
 }
 
 /// The same, of nothing else.
-pub(super) fn ratios() -> Result<[f64; 2]> {
+pub(super) fn ratios(rounds: usize) -> Result<[f64; 2]> {
     let mut times = [[f64::MAX; 2]; 2];
     let projects = [CRATES[0], CRATES[2]].map(Project::new);
     projects.iter().try_for_each(Project::fetch)?;
-    for _ in 0..ROUNDS {
+    for _ in 0..rounds {
         for (place, project) in projects.iter().enumerate() {
             let measured = [project.clean()?, project.small()?];
             times.iter_mut().zip(measured).for_each(|(least, now)| least[place] = least[place].min(now));
