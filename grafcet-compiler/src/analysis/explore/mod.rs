@@ -204,9 +204,15 @@ impl Exploration {
     /// known.
     #[must_use]
     pub fn endless(&self, model: &Model) -> Option<Vec<Vec<TransitionId>>> {
+        if !self.turns {
+            return None;
+        }
+        if !search::endless::may_be(&self.net, &self.whole) {
+            return Some(Vec::new());
+        }
         // A chart whose situations take more than the budget is large, and each of its turns is long.
         let limit = if self.whole.complete { self.limit } else { self.limit / 8 };
-        if self.turns { search::endless::circles(model, &self.net, limit) } else { None }
+        search::endless::circles(model, &self.net, limit)
     }
 
     /// The units of work it took.

@@ -28,7 +28,7 @@ use super::share;
 use super::sparse::{Index, States};
 use super::split::{each_leaf, meet, merged};
 use super::told::{self, Told};
-use super::uses::{Effects, blocks_mut, is_written_in, writes_to};
+use super::uses::{Effects, blocks_mut, is_written_in, replaced, rewrite, writes_to};
 use crate::sorted::Set;
 
 /// More ways from one state than this are too many.
@@ -293,9 +293,12 @@ impl<'m> Search<'m> {
     ) -> Result<Vec<Arm<'m>>, Lost> {
         let places = &program.places;
         let index = Index::whole(places.len(), self.behind.len(), &self.points);
+        // In each state it is asked of each of these conditions whether it holds there.
+        let mut behind = self.behind.clone();
+        rewrite(&mut behind, &mut |expr| replaced(expr, &gathered));
         // Nothing is known of what the loop has written but what it is left with.
         let nothing = vec![Fact::Nothing; places.len()];
-        let mut engine = Engine::new(places, (&self.behind, &index), self.state, &self.points, &[], nothing);
+        let mut engine = Engine::new(places, (&behind, &index), self.state, &self.points, &[], nothing);
         let mut touched = Effects::of_all(&self.before);
         touched.add_all(&self.body);
         for (index, place) in places.iter().enumerate() {
@@ -325,6 +328,19 @@ impl<'m> Search<'m> {
         }
         Statement::Match(self.state, arms, Vec::new())
     }
+}
+
+/// One question whether a region is in one of many states, in place of one for each of them.
+fn gathered<'m>(expr: &Expr<'m>) -> Option<Expr<'m>> {
+    let Expr::Any(parts) = expr else { return None };
+    let mut all: Vec<Expr<'m>> = Vec::new();
+    for part in parts {
+        match (all.last_mut(), part) {
+            (Some(Expr::Is(place, steps)), Expr::Is(other, more)) if place == other => steps.extend(more),
+            _ => all.push(replaced(part, &gathered)),
+        }
+    }
+    Some(if all.len() == 1 { all.remove(0) } else { Expr::Any(all) })
 }
 
 fn without_break(statements: &mut Vec<Statement<'_>>) {

@@ -8,7 +8,7 @@
 use std::rc::Rc;
 
 use super::Search;
-use super::graph::Seen;
+use super::graph::{Graph, Seen};
 use super::leaf::Leaf;
 use super::settles::is_followed;
 use crate::analysis::explore::net::Net;
@@ -55,6 +55,47 @@ pub(crate) fn circles(model: &Model, net: &Net, limit: u64) -> Option<Vec<Vec<Tr
         number += 1;
     }
     found.certain(search.graph.states.len())
+}
+
+/// Whether some circle may turn for ever once it is entered, as far as what can be done from the situations of a chart shows it: each
+/// of the transitions of such a circle never begins a search that comes to rest, and has its source steps from others of them.
+pub(crate) fn may_be(net: &Net, graph: &Graph) -> bool {
+    // Times count as unknown in it, and what stands above a partial grafcet can give steps back, too.
+    if !graph.complete || !is_followed(net) || !net.clocks.is_empty() || !net.hierarchy.is_empty() {
+        return true;
+    }
+    let mut left = Arena::filled(net.arcs.len(), true);
+    // What lies behind a search without end shows nothing.
+    let mut met = vec![false; graph.states.len()];
+    let mut open = vec![0];
+    while let Some(state) = open.pop() {
+        if std::mem::replace(&mut met[state], true) {
+            continue;
+        }
+        for edge in &graph.edges[state] {
+            let Some(begun) = edge.rests else { continue };
+            open.push(edge.to);
+            if !graph.states[state].first {
+                edge.cleared[..begun].iter().for_each(|transition| left[*transition] = false);
+            }
+        }
+    }
+    let mut given = Arena::filled(net.leaving.len(), 0_usize);
+    for (_, arc) in net.arcs.iter().filter(|(id, _)| left[*id]) {
+        arc.targets.iter().for_each(|step| given[*step] += 1);
+    }
+    let mut changes = true;
+    while changes {
+        changes = false;
+        for (id, arc) in net.arcs.iter() {
+            if left[id] && arc.sources.iter().any(|step| given[*step] == 0) {
+                left[id] = false;
+                arc.targets.iter().for_each(|step| given[*step] -= 1);
+                changes = true;
+            }
+        }
+    }
+    left.values().any(|left| *left)
 }
 
 /// Where a search begins.

@@ -72,6 +72,8 @@ pub(crate) struct Cycle {
 pub(crate) struct Edge {
     pub(crate) to: usize,
     pub(crate) cleared: Box<[TransitionId]>,
+    /// How many of them have begun the search for stability, where it came to rest.
+    pub(crate) rests: Option<usize>,
     /// AND-convergences enabled by a situation inside the cycle.
     pub(crate) joins: Box<[TransitionId]>,
     /// Steps that what stands above has left or entered in between.

@@ -115,11 +115,12 @@ impl<'n, 's> Search<'n, 's> {
         (self.graph.complete, self.valuation.have_met)
     }
 
+    /// From the beginning, or from the state at which the budget ran out before.
     fn explore(&mut self) {
         if self.graph.states.is_empty() {
             self.roots();
         }
-        let mut next = 0;
+        let mut next = self.graph.end.take().map_or(0, |end| end.state);
         while next < self.graph.states.len() {
             if !self.expand(next) {
                 let (work, asked) = (self.valuation.work, self.valuation.asked());
@@ -267,7 +268,7 @@ impl<'n, 's> Search<'n, 's> {
         let from = origin.from;
         let to = self.insert(state, Some(origin));
         let (cleared, joins, changed) = (Box::default(), Box::default(), Box::default());
-        self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: None });
+        self.graph.edges[from].push(Edge { to, cleared, rests: None, joins, changed, granted: None });
     }
 
     /// The number of the state to which it leads.
@@ -297,6 +298,7 @@ impl<'n, 's> Search<'n, 's> {
             self.note(turn);
         }
         sort(&mut cycle.granted);
+        let rests = (!done.unstable).then_some(done.at_first);
         let demands = (self.thorough && !late).then(|| self.demands(&cycle).into_boxed_slice());
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
@@ -317,7 +319,7 @@ impl<'n, 's> Search<'n, 's> {
         let changed = self.changed(from, &next, &done.transient).into_boxed_slice();
         let (cleared, joins) = (cycle.cleared.clone().into_boxed_slice(), joins.into_boxed_slice());
         let to = self.insert(next, Some(Origin { from, cycle }));
-        self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: demands });
+        self.graph.edges[from].push(Edge { to, cleared, rests, joins, changed, granted: demands });
         to
     }
 

@@ -20,6 +20,14 @@ impl Budget {
         self.work += work;
         graph
     }
+
+    /// Until so many units of work have been done in all.
+    fn go_on(&mut self, search: &mut Search<'_, '_>, limit: u64) {
+        let before = search.valuation.work;
+        search.limit = before + limit.saturating_sub(self.work);
+        search.explore();
+        self.work += search.valuation.work - before;
+    }
 }
 
 /// How closely the chart is looked at.
@@ -31,6 +39,16 @@ pub(crate) enum Detail {
     Timed,
     /// See [`Search::thoroughly`].
     Thorough,
+}
+
+impl Detail {
+    fn look<'n, 's>(self, search: Search<'n, 's>) -> Search<'n, 's> {
+        match self {
+            Self::Rough => search,
+            Self::Timed => search.with_time(),
+            Self::Thorough => search.thoroughly(),
+        }
+    }
 }
 
 /// The whole chart, as far as the budget suffices; and the graph of a first attempt that was given up.
@@ -54,20 +72,16 @@ pub(crate) fn explore_whole(
         Detail::Thorough => net.clocks.is_empty() && !net.has_unfollowed() && !net.links.any_computed(),
     };
     let lazy = may_wait && (!net.grafcet || net.is_confluent(None));
-    let mut run = |lazy: bool, limit: u64| {
-        let search = Search::new(net, None, lazy, limit.saturating_sub(budget.work), seen);
-        budget.run(match detail {
-            Detail::Rough => search,
-            Detail::Timed => search.with_time(),
-            Detail::Thorough => search.thoroughly(),
-        })
-    };
-    let graph = run(false, if lazy { share / 3 } else { share });
-    if graph.complete || !lazy {
-        return (graph, None);
+    let mut all = detail.look(Search::new(net, None, false, 0, seen));
+    budget.go_on(&mut all, if lazy { share / 3 } else { share });
+    if !all.graph.complete && lazy && (!net.grafcet || end()) {
+        let sooner = all.graph;
+        let mut some = detail.look(Search::new(net, None, true, 0, seen));
+        budget.go_on(&mut some, share);
+        return (some.graph, Some(sooner));
     }
-    if net.grafcet && !end() {
-        return (run(false, share), None);
+    if !all.graph.complete && lazy {
+        budget.go_on(&mut all, share);
     }
-    (run(true, share), Some(graph))
+    (all.graph, None)
 }
