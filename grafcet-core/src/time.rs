@@ -6,13 +6,40 @@ use crate::Ticks;
 /// below the period, which is not zero.
 #[must_use]
 pub fn phase(reached: Ticks, elapsed: Ticks, period: Ticks) -> Ticks {
-    let elapsed = if elapsed < period { elapsed.get() } else { elapsed.get().checked_rem(period.get()).unwrap_or(0) };
+    let elapsed = if elapsed < period { elapsed.get() } else { rest(elapsed.get(), period.get()) };
     let left = period - reached;
     Ticks::new(if elapsed < left.get() {
         reached.get().wrapping_add(elapsed)
     } else {
         elapsed.wrapping_sub(left.get())
     })
+}
+
+/// What is left of a time after whole periods.
+fn rest(elapsed: u32, period: u32) -> u32 {
+    // ARMv6-M divides by a call that takes two hundred bytes.
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        rest_by_subtraction(elapsed, period)
+    } else {
+        elapsed.checked_rem(period).unwrap_or(0)
+    }
+}
+
+fn rest_by_subtraction(elapsed: u32, period: u32) -> u32 {
+    if period == 0 {
+        return 0;
+    }
+    let (mut rest, mut periods) = (elapsed, period);
+    while periods <= rest >> 1 {
+        periods <<= 1;
+    }
+    while periods >= period {
+        if periods <= rest {
+            rest = rest.wrapping_sub(periods);
+        }
+        periods >>= 1;
+    }
+    rest
 }
 
 /// The earlier of two times from now.
@@ -32,7 +59,7 @@ pub fn earlier(a: Option<Ticks>, b: Ticks) -> Option<Ticks> {
 
 #[cfg(test)]
 mod tests {
-    use super::{earlier, phase, sooner};
+    use super::{earlier, phase, rest_by_subtraction, sooner};
     use crate::Ticks;
 
     const fn ticks(n: u32) -> Ticks {
@@ -73,5 +100,36 @@ mod tests {
         assert_eq!(sooner(Some(ticks(3)), Some(ticks(2))), Some(ticks(2)));
         assert_eq!(sooner(None, Some(ticks(2))), Some(ticks(2)));
         assert_eq!(sooner(None, None), None);
+    }
+
+    #[test]
+    fn what_is_left_after_whole_periods_is_the_remainder() {
+        let times = [
+            0,
+            1,
+            2,
+            3,
+            499,
+            500,
+            501,
+            999,
+            1_000,
+            65_535,
+            65_536,
+            86_400_000,
+            u32::MAX / 2,
+            u32::MAX / 2 + 1,
+            u32::MAX - 1,
+            u32::MAX,
+        ];
+        for elapsed in times {
+            for period in times {
+                assert_eq!(
+                    rest_by_subtraction(elapsed, period),
+                    elapsed.checked_rem(period).unwrap_or(0),
+                    "{elapsed} {period}"
+                );
+            }
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 mod bind;
 mod chart_impl;
+mod cleared;
 mod deadline;
 mod derives;
 mod description;

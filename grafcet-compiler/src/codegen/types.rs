@@ -5,7 +5,7 @@ use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned as _;
 use syn::{Attribute, Type};
 
-use super::{Cx, derives, outside, requirements};
+use super::{Cx, cleared, derives, outside, requirements};
 use crate::list::List;
 use crate::model::{Expr, Model, OutputId, Ty};
 use crate::place::{self, quote};
@@ -74,11 +74,17 @@ fn default_of(cx: &Cx<'_>, name: &Ident, initial: &TokenStream) -> TokenStream {
 
 fn outputs(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, .. } = cx;
-    let fields = model.outputs.values().map(|output| {
+    let order = match cleared::in_pieces(model) {
+        Some(fields) => fields.into_iter().map(|(id, _)| id).list(),
+        None => model.outputs.ids().list(),
+    };
+    let fields = order.into_iter().map(|id| {
+        let output = &model.outputs[id];
         let (name, ty) = (&output.name, rust_type(&output.ty, p));
         let docs = docs(&output.attrs, &format!("Output `{name}`."));
         field(&docs, name, &ty)
     });
+    let fields = fields.tokens();
     let derives = derives::of(model.outputs.values().map(|output| &output.ty));
     let (vis, name, levels) = (&model.vis, &cx.names.outputs, levels(model));
     let default = default_outputs(cx);
@@ -87,7 +93,7 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
     // Processors without unaligned stores clear many single bytes through a call, words at once.
     let align = (model.outputs.len() > 4).then(|| quote!(#[repr(align(4))]));
-    let item = place::item("struct", name, &model.name, &quote!(#(#fields)*));
+    let item = place::item("struct", name, &model.name, &fields);
     quote! {
         #[doc = #doc]
         #derives

@@ -10,6 +10,7 @@
 mod expr;
 mod flags;
 mod layout;
+mod outputs;
 mod places;
 mod scope;
 mod statement;
@@ -23,10 +24,10 @@ use self::layout::{Kind, Layout, Mark, Start};
 use self::scope::Scope;
 use super::machine::{Deadline, Machine};
 use super::state::StateEnum;
-use super::{Cx, meaning, names, state, types};
+use super::{Cx, meaning, names, state};
 use crate::held::Held;
 use crate::list::List;
-use crate::model::{StepId, Ty};
+use crate::model::StepId;
 use crate::place::quote;
 use crate::program::{self, PlaceId, Program, Role, Statement, Wait};
 
@@ -105,32 +106,16 @@ impl<'m> Printer<'_, 'm> {
         let scope = Scope::of(self.program, self.layout, cycle);
         let body = self.block(cycle, &scope);
         let (unpack, pack) = self.layout.flags.map(|flags| self.around(flags, cycle)).unwrap_or_default();
-        let (name, model) = (&self.cx.names.outputs, self.cx.model);
-        let (mut first, mut last) = (TokenStream::new(), TokenStream::new());
-        let mut mutable = None;
-        for (id, output) in model.outputs.iter() {
-            let (name, place) = (&output.name, self.program.place(Role::Output(id)));
-            let value = match place {
-                Some(place) => self.initial(place),
-                None => types::initial_output(model, id, &self.cx.p),
+        let first = self.first_outputs();
+        let mut last = TokenStream::new();
+        for (id, output) in self.cx.model.outputs.iter() {
+            let Some(place) = self.program.place(Role::Output(id)).filter(|place| self.layout.is_kept(*place)) else {
+                continue;
             };
-            first.extend(quote!(#name: #value,));
-            let Some(place) = place else { continue };
-            if self.layout.is_kept(place) {
-                let value = self.get(place);
-                last.extend(quote!(outputs_.#name = #value;));
-            }
-            if self.layout.is_kept(place) || self.layout.is_result(place) {
-                mutable = Some(quote!(mut));
-            }
+            let (name, value) = (&output.name, self.get(place));
+            last.extend(quote!(outputs_.#name = #value;));
         }
-        let mut first = quote!(#name { #first });
-        if model.outputs.len() > 1
-            && model.outputs.values().all(|output| output.init.is_none() && matches!(output.ty, Ty::Bool(_)))
-        {
-            first = quote!(const { #first });
-        }
-        quote!(let #mutable outputs_ = #first; #unpack #body #pack #last outputs_)
+        quote!(#first #unpack #body #pack #last outputs_)
     }
 
     fn deadline(&self, deadline: &program::Deadline<'m>) -> Deadline {

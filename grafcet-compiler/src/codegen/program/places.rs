@@ -205,7 +205,7 @@ impl<'m> Printer<'_, 'm> {
                 awaited.push(self.condition(at_once));
             }
             for Wait { condition, from, time } in waits {
-                if *from == began || mentions(condition, began) {
+                if *from == began || mentions(condition, began) || mentions(time, began) {
                     awaited.push(self.condition(condition));
                     longest = longest.max(longest_in(time));
                 }

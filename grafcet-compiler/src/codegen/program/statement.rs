@@ -151,17 +151,20 @@ impl<'m> Printer<'_, 'm> {
                 let p = &self.cx.p;
                 quote!(let inputs_ = #p::core::hint::black_box(inputs_);)
             }
-            Statement::Fence(Fence::Memory) => {
-                let p = &self.cx.p;
-                let atomic = quote!(#p::core::sync::atomic);
-                quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
-            }
+            Statement::Fence(Fence::Memory) => self.fence(),
             Statement::Fence(Fence::Armv6m) => {
                 let p = &self.cx.p;
                 quote!(#p::fence_on_armv6m();)
             }
             Statement::Part(..) | Statement::Mark(_) => TokenStream::new(),
         }
+    }
+
+    /// Nothing is moved across it.
+    pub(super) fn fence(&self) -> TokenStream {
+        let p = &self.cx.p;
+        let atomic = quote!(#p::core::sync::atomic);
+        quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
     }
 
     /// A loop; where there is one round, a block that can be left.

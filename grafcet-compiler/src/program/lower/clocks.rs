@@ -2,7 +2,8 @@
 //!
 //! A time that is compared with literals alone is the reading at which it began: what has passed is `now - began`, which is exact as long as
 //! two cycles lie less than 2^31 ticks apart. It cannot wrap, however long a step stays active: what can go on beyond the longest of its
-//! literals is kept there (`bound_times`). Every other time is counted, and saturates.
+//! literals is kept there (`bound_times`). Of a step that blinks, and asks for its time in no other way, it is the reading at which its last
+//! period began. Every other time is counted, and saturates.
 
 use super::changes::{Change, Changes, changes, is_time_of_step};
 use super::places::{Phases, plain, time, truth};
@@ -83,7 +84,7 @@ impl<'m> Lower<'_, 'm> {
             match read {
                 Read::Since(step) | Read::Elapsed(_, step) => self.count(step, &changes),
                 Read::MacroSince(id) | Read::MacroElapsed(_, id) => self.count_macro(id, &changes),
-                Read::Blink(blink) => self.count_phase(blink),
+                Read::Blink(blink) => self.count_blink(blink, &changes),
                 _ => {}
             }
         }
@@ -156,6 +157,21 @@ impl<'m> Lower<'_, 'm> {
         });
     }
 
+    /// The periods of a step are told from when the last one began, where its time says nothing else.
+    fn count_blink(&mut self, blink: Blink, changes: &Changes) {
+        if let (Blinker::Step(step), true) = (blink.of, blink.period() <= HIGHEST) {
+            let only = changes.iter().filter(|(of, _)| *of == blink.of).count() == 1;
+            if only {
+                self.count(step, changes);
+            }
+            if only && matches!(self.clock(blink.of), Some(Clock::Began(_))) {
+                self.periods.insert((step, blink.on, blink.period()));
+                return;
+            }
+        }
+        self.count_phase(blink);
+    }
+
     fn count_phase(&mut self, blink: Blink) {
         let (period, role) = (blink.period(), self.phase_role(blink));
         if self.phases.iter().any(|phase| phase.role == role) {
@@ -203,6 +219,10 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         self.longest = longest;
+        // The second part of a period is what lies behind the first.
+        for (step, on, _) in &self.periods {
+            self.outlasted.insert((Blinker::Step(*step), *on));
+        }
     }
 
     /// The time that an expression of the deadline is about, from the reading at which it began.

@@ -101,6 +101,18 @@ impl<'m> Lower<'_, 'm> {
                 }
             }
             Change::Always => wait(active, reading, ticks(1)),
+            Change::Blink(on, period) if self.has_periods(of) => {
+                let Some(clock) = self.clock(of) else { return };
+                if !self.counts_from_beginning() {
+                    let passed = clock.passed(Expr::Place(reading));
+                    let end = choose(below(passed.clone(), ticks(on)), ticks(on), ticks(period));
+                    wait(active, reading, sub(end, passed));
+                    return;
+                }
+                let first = self.passed_of(of).map(|passed| not(Expr::Place(passed)));
+                wait(all([active.clone()].into_iter().and(first).list()), clock.place(), ticks(on));
+                wait(active, clock.place(), ticks(period));
+            }
             Change::Blink(on, period) => {
                 let role = self.phase_role(crate::model::Blink { of, on, off: period.saturating_sub(on) });
                 let Some(phases) = self.phases.iter().find(|phases| phases.role == role) else { return };
@@ -109,6 +121,10 @@ impl<'m> Lower<'_, 'm> {
                 wait(active, reading, sub(end, phase));
             }
         }
+    }
+
+    fn has_periods(&self, of: Blinker) -> bool {
+        self.periods.iter().any(|(step, ..)| Blinker::Step(*step) == of)
     }
 
     /// Whether all that is waited for counts from the beginning of a step's time, so that nobody asks for the reading of the last cycle: with one region, and with

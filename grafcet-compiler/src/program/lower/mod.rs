@@ -159,6 +159,8 @@ struct Lower<'r, 'm> {
     macro_time: Vec<Option<Clock>>,
     macro_reached: Vec<Option<PlaceId>>,
     phases: Vec<Phases>,
+    /// The steps whose time is that since their last period began: with its first part, and all of it.
+    periods: Set<(StepId, u32, u32)>,
     /// The longest time that each is compared with.
     longest: Vec<(Blinker, u32)>,
     /// The times that can be over while their step stays active.

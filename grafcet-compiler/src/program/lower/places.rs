@@ -52,6 +52,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             macro_time: Vec::new(),
             macro_reached: Vec::new(),
             phases: Vec::new(),
+            periods: Set::new(),
             longest: Vec::new(),
             outlasted: Set::new(),
             passed: Vec::new(),

@@ -164,6 +164,11 @@ impl<'m> Lower<'_, 'm> {
 
     /// In the first part of each period since the activation.
     fn blink(&self, blink: Blink, moment: Moment) -> Expr<'m> {
+        if let Blinker::Step(step) = blink.of {
+            if self.periods.contains(&(step, blink.on, blink.period())) {
+                return all(vec![self.active(step, moment), below(self.since_active(step, moment), ticks(blink.on))]);
+            }
+        }
         let role = self.phase_role(blink);
         let Some(phases) = self.phases.iter().find(|phases| phases.role == role) else { return no() };
         let (was, is) = match blink.of {

@@ -1,0 +1,46 @@
+//! How the outputs are cleared when a cycle begins.
+//!
+//! LLVM clears up to sixteen bytes word by word for the ARM. For more it calls `memclr`, which takes some forty instructions and a hundred
+//! bytes. Something else that stands between the zeros makes two pieces of them.
+
+use std::cmp::Reverse;
+
+use crate::model::{Id, Model, OutputId, Ty};
+use crate::sorted::sort_by_key;
+
+/// So many bytes are cleared at once.
+const PIECE: usize = 16;
+
+/// The word between two pieces, so that the next one begins at a word, too.
+const BETWEEN: usize = 4;
+
+/// The outputs as rustc lays them out, the large ones first, and the bytes of each, where they are cleared in pieces. They stand in this
+/// order in the struct, too, as that is the order in which they are written.
+pub(super) fn in_pieces(model: &Model) -> Option<Vec<(OutputId, usize)>> {
+    let (mut fields, mut all) = (Vec::new(), 0);
+    for (id, output) in model.outputs.iter() {
+        let bytes = match output.ty {
+            Ty::Bool(_) => 1,
+            Ty::Int { bits, .. } => bits as usize / 8,
+            Ty::Time(_) => 4,
+            // Nobody knows what it takes.
+            Ty::Other(_) => return None,
+        };
+        fields.push((id, bytes));
+        all += bytes;
+    }
+    sort_by_key(&mut fields, |(id, bytes)| (Reverse(*bytes), id.index()));
+    (all > PIECE).then_some(fields)
+}
+
+/// The outputs that stand between the pieces.
+pub(super) fn between(model: &Model) -> Vec<OutputId> {
+    let (mut between, mut at) = (Vec::new(), 0);
+    for (id, bytes) in in_pieces(model).unwrap_or_default() {
+        if at % (PIECE + BETWEEN) >= PIECE {
+            between.push(id);
+        }
+        at += bytes;
+    }
+    between
+}
