@@ -157,19 +157,28 @@ impl<'m> Lower<'_, 'm> {
         });
     }
 
-    /// The periods of a step are told from when the last one began, where its time says nothing else.
+    /// The periods of a step are told from when the last one began, where its time says nothing else: in a region of which that holds for each
+    /// step that blinks. What a recorded state says of a time is then one thing or the other.
     fn count_blink(&mut self, blink: Blink, changes: &Changes) {
-        if let (Blinker::Step(step), true) = (blink.of, blink.period() <= HIGHEST) {
-            let only = changes.iter().filter(|(of, _)| *of == blink.of).count() == 1;
-            if only {
-                self.count(step, changes);
-            }
-            if only && matches!(self.clock(blink.of), Some(Clock::Began(_))) {
+        if let (Blinker::Step(step), true) = (blink.of, self.has_only_periods(blink.of, changes)) {
+            self.count(step, changes);
+            if matches!(self.clock(blink.of), Some(Clock::Began(_))) {
                 self.periods.insert((step, blink.on, blink.period()));
                 return;
             }
         }
         self.count_phase(blink);
+    }
+
+    /// Whether each step of its region that blinks does so in one way, and asks for its time in no other.
+    fn has_only_periods(&self, of: Blinker, changes: &Changes) -> bool {
+        let region = self.region_of(of);
+        let is_here = |of: &Blinker| region.is_some() && self.region_of(*of) == region;
+        let mut here = changes.iter().filter(|(of, change)| is_here(of) && matches!(change, Change::Blink(..)));
+        here.all(|(of, change)| {
+            matches!(change, Change::Blink(_, period) if *period <= HIGHEST)
+                && changes.iter().filter(|(other, _)| other == of).count() == 1
+        })
     }
 
     fn count_phase(&mut self, blink: Blink) {
