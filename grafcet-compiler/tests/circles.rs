@@ -1,6 +1,7 @@
 //! Circles that turn in one cycle (A30): those that always do once they are entered, and those that may.
 
 use grafcet_compiler::analysis::circles::{Circle, Circles};
+use grafcet_compiler::analysis::explore::{Exploration, Limits};
 use grafcet_compiler::analysis::{Concurrency, Logic};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Id, Model};
@@ -393,4 +394,20 @@ fn verdicts_equal_those_of_all_searches() {
         circles += found.len();
     }
     assert!(circles > 200, "{circles} circles");
+}
+
+/// The searches say so, too, of a circle of which a step is left and entered beside it, by transitions whose own searches come to rest.
+#[test]
+fn what_gives_a_step_back_is_no_part_of_a_circle() {
+    let both = "initial step A; initial step B; step C; step E; (A, B) -[a]-> C; C -[true]-> B;";
+    for beside in ["A -[a || b]-> A;", "A -[a || b]-> A; A -[b && !b]-> E;"] {
+        let model = model(&format!("{both} {beside}"));
+        let found = Exploration::of(&model, &Limits::default()).endless(&model).expect("it is known");
+        let circles: Vec<Circle> =
+            found.into_iter().map(|transitions| Circle { transitions, inputs: String::new() }).collect();
+        assert_eq!(names(&model, &circles), "A B C", "{beside}");
+    }
+    // One that can come to rest is none.
+    let model = model("initial step A; step B; A -[a]-> B; B -[b]-> A;");
+    assert_eq!(Exploration::of(&model, &Limits::default()).endless(&model), Some(Vec::new()));
 }

@@ -142,7 +142,7 @@ pub enum Role {
     Time(usize),
     /// The time of a macro-step.
     MacroTime(MacroId),
-    /// The reading of the clock at which the active step of a region was entered, or one that is so long ago that nobody can tell.
+    /// The reading of the clock at which the active step of a region was entered, or at which the last period of what blinks began, or one that is so long ago that nobody can tell.
     Began(usize),
     /// The same of a macro-step.
     MacroBegan(MacroId),

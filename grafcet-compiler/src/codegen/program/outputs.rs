@@ -1,11 +1,11 @@
 //! The outputs that a cycle returns, before anything has acted on them.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::Printer;
 use crate::codegen::{cleared, types};
 use crate::model::{OutputId, Ty};
+use crate::place::quote;
 use crate::program::{Initial, Role, Value};
 
 impl Printer<'_, '_> {

@@ -160,7 +160,8 @@ impl<'m> Lower<'_, 'm> {
     /// The periods of a step are told from when the last one began, where its time says nothing else: in a region of which that holds for each
     /// step that blinks. What a recorded state says of a time is then one thing or the other.
     fn count_blink(&mut self, blink: Blink, changes: &Changes) {
-        if let (Blinker::Step(step), true) = (blink.of, self.has_only_periods(blink.of, changes)) {
+        let may = self.clocks == Clocks::Read && self.has_only_periods(blink.of, changes);
+        if let (Blinker::Step(step), true) = (blink.of, may) {
             self.count(step, changes);
             if matches!(self.clock(blink.of), Some(Clock::Began(_))) {
                 self.periods.insert((step, blink.on, blink.period()));

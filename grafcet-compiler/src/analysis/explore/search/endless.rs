@@ -58,7 +58,7 @@ pub(crate) fn circles(model: &Model, net: &Net, limit: u64) -> Option<Vec<Vec<Tr
 }
 
 /// Whether some circle may turn for ever once it is entered, as far as what can be done from the situations of a chart shows it: each
-/// of the transitions of such a circle never begins a search that comes to rest, and has its source steps from others of them.
+/// of the transitions of such a circle never begins a search that comes to rest, and has a source step from another of them.
 pub(crate) fn may_be(net: &Net, graph: &Graph) -> bool {
     // Times count as unknown in it, and what stands above a partial grafcet can give steps back, too.
     if !graph.complete || !is_followed(net) || !net.clocks.is_empty() || !net.hierarchy.is_empty() {
@@ -88,7 +88,8 @@ pub(crate) fn may_be(net: &Net, graph: &Graph) -> bool {
     while changes {
         changes = false;
         for (id, arc) in net.arcs.iter() {
-            if left[id] && arc.sources.iter().any(|step| given[*step] == 0) {
+            // Other sources may be left and entered beside the circle.
+            if left[id] && !arc.sources.is_empty() && arc.sources.iter().all(|step| given[*step] == 0) {
                 left[id] = false;
                 arc.targets.iter().for_each(|step| given[*step] -= 1);
                 changes = true;
