@@ -34,8 +34,8 @@ impl<'m> Lower<'_, 'm> {
             let Some(clock) = self.clock(Blinker::Step(*step)) else { continue };
             let is_over = all(vec![self.is(*step), at_least(clock.passed(Expr::Now), ticks(*period))]);
             let left = Expr::Period(Box::new(zero()), Box::new(clock.passed(Expr::Now)), *period);
-            let began = Expr::Since(Box::new(Expr::Now), Box::new(left));
-            when(&mut body, is_over, vec![Statement::Set(clock.place(), began)]);
+            let anew = Expr::Since(Box::new(Expr::Now), Box::new(left));
+            when(&mut body, is_over, vec![Statement::Set(clock.place(), anew)]);
         }
         let Some(elapsed) = self.elapsed else { return body };
         for phases in &self.phases {
