@@ -80,11 +80,12 @@ impl<'m> Lower<'_, 'm> {
             self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));
         }
         let changes = changes(model);
+        let only_periods = self.only_periods(&changes);
         for read in asked {
             match read {
                 Read::Since(step) | Read::Elapsed(_, step) => self.count(step, &changes),
                 Read::MacroSince(id) | Read::MacroElapsed(_, id) => self.count_macro(id, &changes),
-                Read::Blink(blink) => self.count_blink(blink, &changes),
+                Read::Blink(blink) => self.count_blink(blink, &changes, &only_periods),
                 _ => {}
             }
         }
@@ -159,11 +160,12 @@ impl<'m> Lower<'_, 'm> {
 
     /// The periods of a step are told from when the last one began, where its time says nothing else: in a region of which that holds for each
     /// step that blinks. What a recorded state says of a time is then one thing or the other.
-    fn count_blink(&mut self, blink: Blink, changes: &Changes) {
-        let may = self.clocks == Clocks::Read && self.has_only_periods(blink.of, changes);
-        if let (Blinker::Step(step), true) = (blink.of, may) {
-            self.count(step, changes);
-            if matches!(self.clock(blink.of), Some(Clock::Began(_))) {
+    fn count_blink(&mut self, blink: Blink, changes: &Changes, only_periods: &[bool]) {
+        if let (Blinker::Step(step), Some(region)) = (blink.of, self.region_of(blink.of)) {
+            if only_periods[region] {
+                self.count(step, changes);
+            }
+            if only_periods[region] && matches!(self.time[region], Some(Clock::Began(_))) {
                 self.periods.insert((step, blink.on, blink.period()));
                 return;
             }
@@ -171,15 +173,17 @@ impl<'m> Lower<'_, 'm> {
         self.count_phase(blink);
     }
 
-    /// Whether each step of its region that blinks does so in one way, and asks for its time in no other.
-    fn has_only_periods(&self, of: Blinker, changes: &Changes) -> bool {
-        let region = self.region_of(of);
-        let is_here = |of: &Blinker| region.is_some() && self.region_of(*of) == region;
-        let mut here = changes.iter().filter(|(of, change)| is_here(of) && matches!(change, Change::Blink(..)));
-        here.all(|(of, change)| {
-            matches!(change, Change::Blink(_, period) if *period <= HIGHEST)
-                && changes.iter().filter(|(other, _)| other == of).count() == 1
-        })
+    /// By region, whether each of its steps that blinks does so in one way, and asks for its time in no other.
+    fn only_periods(&self, changes: &Changes) -> Vec<bool> {
+        let all: Vec<&(Blinker, Change)> = changes.iter().list();
+        let mut only = vec![self.clocks == Clocks::Read; self.state.len()];
+        for (at, (of, change)) in all.iter().enumerate() {
+            let (Change::Blink(_, period), Some(region)) = (change, self.region_of(*of)) else { continue };
+            // What changes with the same time stands together.
+            let mut beside = at.checked_sub(1).and_then(|before| all.get(before)).into_iter().and(all.get(at + 1));
+            only[region] &= *period <= HIGHEST && beside.all(|(other, _)| other != of);
+        }
+        only
     }
 
     fn count_phase(&mut self, blink: Blink) {
