@@ -44,3 +44,39 @@ pub(super) fn between(model: &Model) -> Vec<OutputId> {
     }
     between
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{between, in_pieces};
+    use crate::diagnostic::Sink;
+    use crate::model::{self, Model};
+    use crate::parse;
+
+    fn model(outputs: &str) -> Model {
+        let text = format!("grafcet C {{ {outputs} initial step A; }}");
+        let mut sink = Sink::new();
+        let chart = parse::chart(text.parse().expect("tokens"), &mut sink).expect("a chart");
+        model::resolve(&chart, &mut sink)
+    }
+
+    /// The names of what stands between the pieces.
+    fn names(outputs: &str) -> String {
+        let model = model(outputs);
+        let names: Vec<String> = between(&model).into_iter().map(|id| model.outputs[id].name.to_string()).collect();
+        names.join(" ")
+    }
+
+    #[test]
+    fn a_word_stands_between_two_pieces_of_sixteen_bytes() {
+        let truths = |count: usize| {
+            let names: Vec<String> = (0..count).map(|number| format!("q{number}")).collect();
+            format!("output {}: bool;", names.join(", "))
+        };
+        assert_eq!(names(&truths(16)), "");
+        assert_eq!(names(&truths(17)), "q16");
+        assert_eq!(names(&truths(30)), "q16 q17 q18 q19");
+        // The large ones come first, wherever they are declared.
+        assert_eq!(names(&format!("{} output n: u32;", truths(14))), "q12 q13");
+        assert!(in_pieces(&model(&format!("{} output x: f32;", truths(20)))).is_none());
+    }
+}
