@@ -83,7 +83,8 @@ fn partial_grafcets_end_one_after_the_other() {
 fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
     let ends = |text: &str| {
         let model = model(text);
-        let ends = stability(&model).ends();
+        let stability = stability(&model);
+        let ends = stability.ends();
         ends.steps().iter().map(|step| model.steps[*step].name.to_string()).collect::<Vec<_>>()
     };
     let ring = |last: &str| format!("initial step S1; step S2; step S3; S1 -[a]-> S2 -[b]-> S3 -[{last}]-> S1;");

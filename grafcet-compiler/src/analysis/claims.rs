@@ -107,9 +107,10 @@ impl<'m> Claims<'m> {
         model: &'m Model,
         logic: &Logic<'_>,
         limits: Limits,
-        never: &'m [&'m Tree],
+        facts: &'m Facts<'m>,
         mixed: &Set<Place>,
     ) -> Self {
+        let never = &facts.never[..];
         let mut open = Vec::new();
         let mut claimed: Vec<(&Property, Tree)> = Vec::new();
         let known = |property: &&Property| !property.claim.expressions().iter().any(|expr| reads_any(expr, mixed));
@@ -144,7 +145,7 @@ impl<'m> Claims<'m> {
         }
         let (triggers, sought) = sought(model, logic, &known);
         let watched: Vec<&Tree> = claimed.iter().and(&sought).map(|(_, tree)| tree).list();
-        let exploration = Exploration::assuming(model, &limits, &watched, never);
+        let exploration = Exploration::with(model, facts, &limits, &watched);
         let mut left = Left { limits, open: 0 };
         let mut alone = |tree: &Tree| left.of(|limits| alone::watched(model, limits, tree, never, claimed.len() == 1));
         for (index, (property, violation)) in claimed.iter().enumerate() {
@@ -173,7 +174,7 @@ impl<'m> Claims<'m> {
         claims.ways_home(!watched.is_empty());
         if !watched.is_empty() && !claims.exploration.is_complete() {
             // To follow what the properties are about takes more than the rules need.
-            claims.exploration = Exploration::assuming(model, &limits, &[], never);
+            claims.exploration = Exploration::with(model, facts, &limits, &[]);
         }
         claims
     }

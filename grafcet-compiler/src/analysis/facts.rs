@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use super::{Concurrency, Searches, exclusive, hierarchy};
+use super::{Concurrency, Searches, Stability, exclusive, hierarchy, searches};
 use crate::list::List;
 use crate::model::{Model, PartialId, StepId, Tree};
 use crate::sorted::Set;
@@ -20,6 +20,8 @@ pub struct Facts<'m> {
     /// The partial grafcets, what forces or encloses before what is forced or enclosed.
     pub top_down: Vec<PartialId>,
     /// Found out when somebody asks.
+    across: OnceCell<Concurrency>,
+    stability: OnceCell<Stability>,
     searches: OnceCell<Searches>,
     exclusive: OnceCell<Vec<bool>>,
     left_and_entered: OnceCell<Set<StepId>>,
@@ -38,6 +40,8 @@ impl<'m> Facts<'m> {
             assumed,
             initial: hierarchy::initial_situation(model),
             top_down: hierarchy::top_down(model),
+            across: OnceCell::new(),
+            stability: OnceCell::new(),
             searches: OnceCell::new(),
             exclusive: OnceCell::new(),
             left_and_entered: OnceCell::new(),
@@ -57,9 +61,25 @@ impl<'m> Facts<'m> {
         self.left_and_entered.get_or_init(find)
     }
 
+    /// Which steps can be active together where what partial grafcets do to each other counts, too, if what the chart assumes is true.
+    #[must_use]
+    pub fn across(&self, model: &Model) -> &Concurrency {
+        self.across.get_or_init(|| self.assumed.across_partials(model))
+    }
+
+    /// Whether the circles of a chart tell that each of its searches ends before its bound.
+    #[must_use]
+    pub fn all_end(&self, model: &Model) -> bool {
+        !model.is_grafcet() || searches::are_ended(model, self.stability(model))
+    }
+
+    pub(super) fn stability(&self, model: &Model) -> &Stability {
+        self.stability.get_or_init(|| Stability::of(model, &self.concurrency))
+    }
+
     /// What is known of the searches of this model for stability.
     #[must_use]
     pub fn searches(&self, model: &Model) -> &Searches {
-        self.searches.get_or_init(|| Searches::of(model, &self.concurrency))
+        self.searches.get_or_init(|| Searches::of(model, self))
     }
 }

@@ -1,6 +1,6 @@
 //! What is known of the searches for stability of a `grafcet` (A30): where they end, and after how many evolutions they are given up.
 
-use super::{Concurrency, Ends, Stability, explore};
+use super::{Concurrency, Ends, Facts, Stability, explore};
 use crate::model::Model;
 
 /// How many units of work it is worth to find out that the searches of a chart end, where its circles do not tell.
@@ -20,29 +20,28 @@ pub struct Searches {
 }
 
 impl Searches {
-    pub(super) fn of(model: &Model, concurrency: &Concurrency) -> Self {
+    pub(super) fn of(model: &Model, facts: &Facts<'_>) -> Self {
         let bound = bound(model);
         if !model.is_grafcet() {
             return Self { bound, ..Self::default() };
         }
-        let stability = Stability::of(model, concurrency);
-        let open = !are_ended(model, &stability);
+        let open = !facts.all_end(model);
         Self {
             // Who forces a chart can bring situations and values together that no exploration has seen.
             may_go_on: open && (model.forceable || !explore::settles(model, WORK)),
-            comes_back: Stability::goes_on_after(model, concurrency, bound),
-            ends: stability.ends(),
+            comes_back: Stability::goes_on_after(model, &facts.concurrency, bound),
+            ends: facts.stability(model).ends().clone(),
             bound,
         }
     }
 }
 
-/// Whether the circles of a chart tell that each of its searches ends before its bound.
+/// The same as [`Facts::all_end`] where nothing is known yet.
 pub(crate) fn all_end(model: &Model) -> bool {
     !model.is_grafcet() || are_ended(model, &Stability::of(model, &Concurrency::of(model)))
 }
 
-fn are_ended(model: &Model, stability: &Stability) -> bool {
+pub(super) fn are_ended(model: &Model, stability: &Stability) -> bool {
     // Where each transition clears at most once, the chart gives the search long enough.
     let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
     stability.is_certain() && model.max_evolutions.is_none_or(is_long)

@@ -55,12 +55,11 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order. `prover` is asked for
 /// properties that are left open.
 pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink: &mut Sink) {
-    let (never, structure) = (&facts.never[..], &facts.assumed);
+    let (never, structure, concurrency) = (&facts.never[..], &facts.assumed, facts.across(model));
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
-    let concurrency = structure.across_partials(model);
-    let logic = Logic::within(model, &concurrency, never);
+    let logic = Logic::within(model, concurrency, never);
     let mixed = mixed(model);
-    let claims = Claims::of(model, &logic, limits, never, &mixed);
+    let claims = Claims::of(model, &logic, limits, facts, &mixed);
     let exploration = &claims.exploration;
     let conditions = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).list();
     let constants = Constants::of(model, &logic, &conditions);
@@ -68,7 +67,7 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and after an evolution act
     // in the same cycle, so that steps can race which are never active together.
     let seen = concurrency.without(|a, b| !exploration.together(a, b));
-    let racing = if model.is_grafcet() { &seen } else { &concurrency };
+    let racing = if model.is_grafcet() { &seen } else { concurrency };
     let races = Races::of(model, racing, &limits, never);
     let branches = Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions };
     let rivalry = branches.rivalry(&not_compared(model, &dead, &constants, sink));
@@ -100,12 +99,12 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     race::check(model, &refuted::left(model, &races, &mixed, asked), &mixed, sink);
     contention::check(model, &seen, never, sink);
     if !sink.broke(&rules::WRONG_TARGET) {
-        set_reset::check(model, &concurrency, &mixed, sink);
+        set_reset::check(model, concurrency, &mixed, sink);
         usage::check(model, sink);
     }
     if model.is_grafcet() {
         structure::two_masters(model, &seen, sink);
-        unstable::check(model, (&concurrency, exploration), never, asked, sink);
+        unstable::check(model, (concurrency, exploration), never, asked, sink);
     }
 }
 

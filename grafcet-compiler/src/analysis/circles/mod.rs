@@ -11,7 +11,7 @@ mod rest;
 mod run;
 mod view;
 
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
 
 use self::run::{Node, Outcome, Run};
@@ -51,8 +51,8 @@ pub struct Circles<'m> {
     reachable: Vec<bool>,
     /// What actions may change within a cycle.
     written: Set<Name>,
-    /// Steps of which several can be active, apart from branches that are not exclusive.
-    parallel: Concurrency,
+    /// Steps of which several can be active, apart from branches that are not exclusive. Found out where a circle is.
+    parallel: OnceCell<Concurrency>,
     /// How many values nothing was known of.
     unknown: Cell<u64>,
 }
@@ -70,7 +70,7 @@ impl<'m> Circles<'m> {
         let always = conditions.iter().map(|condition| logic.always(condition)).list();
         let reachable = rest::reachable(model, |id: TransitionId| !logic.never(&conditions[id.index()]));
         let (written, unknown) = (view::written(model), Cell::new(0));
-        let parallel = Concurrency::of_exclusive_branches(model);
+        let parallel = OnceCell::new();
         Self { model, concurrency, logic, trees, conditions, always, reachable, written, parallel, unknown }
     }
 
@@ -202,9 +202,10 @@ impl<'m> Circles<'m> {
         // Steps that the circle itself activates together are no marks beside each other.
         let branches = transitions().any(|transition| transition.targets.len() > 1);
         let steps: Set<StepId> = transitions().flat(|transition| transition.sources.iter().copied()).collect();
+        let parallel = || self.parallel.get_or_init(|| Concurrency::of_exclusive_branches(self.model));
         let beside = |a: &StepId| {
             let same = |b: &StepId| self.model.steps[*a].partial == self.model.steps[*b].partial;
-            steps.iter().any(|b| same(b) && self.parallel.together(*a, *b))
+            steps.iter().any(|b| same(b) && parallel().together(*a, *b))
         };
         !branches && steps.iter().any(beside)
     }

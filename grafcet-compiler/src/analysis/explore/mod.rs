@@ -38,7 +38,7 @@ use self::search::{Search, settles as stability};
 use self::verdicts::Report;
 use self::verdicts::future::Future;
 use super::searches::all_end;
-use super::{Concurrency, Nesting};
+use super::{Concurrency, Facts, Nesting};
 use crate::list::{List, PushAll};
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
 use crate::sorted::Map;
@@ -70,6 +70,14 @@ pub struct Exploration {
     work: u64,
 }
 
+/// What is asked of a chart where an exploration needs it.
+struct Known<'k> {
+    /// Whether each search for stability comes to its end.
+    end: &'k dyn Fn() -> bool,
+    /// Which steps can be active together, as far as the structure tells.
+    structure: &'k dyn Fn() -> Concurrency,
+}
+
 impl Exploration {
     /// Explores a chart.
     #[must_use]
@@ -86,6 +94,19 @@ impl Exploration {
     /// The same without the inputs for which one of `assumed_never` holds.
     #[must_use]
     pub fn assuming(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+        let structure = || Concurrency::assuming(model, assumed_never).across_partials(model);
+        let known = Known { end: &|| all_end(model), structure: &structure };
+        Self::knowing(model, limits, watched, assumed_never, &known)
+    }
+
+    /// The same of a chart of which facts are known, without the inputs that it assumes never to come.
+    #[must_use]
+    pub fn with(model: &Model, facts: &Facts<'_>, limits: &Limits, watched: &[&Tree]) -> Self {
+        let known = Known { end: &|| facts.all_end(model), structure: &|| facts.across(model).clone() };
+        Self::knowing(model, limits, watched, &facts.never, &known)
+    }
+
+    fn knowing(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree], known: &Known<'_>) -> Self {
         let mut net = Net::of(model, watched, assumed_never);
         let mut seen = Seen::nothing(&net);
         let (limit, several) = (limit(&net, limits), several(&net));
@@ -93,8 +114,7 @@ impl Exploration {
         let nesting = Nesting::of(model).filter(|nesting| nesting.situations() > limit && watched.is_empty());
         let is_told = nesting.is_some_and(|nesting| nesting.tells_all(assumed_never));
         let mut budget = Budget { limit: if limits.only_ways || is_told { 0 } else { limit }, work: 0 };
-        let end = || all_end(model);
-        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, Detail::Rough, &end);
+        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, Detail::Rough, known.end);
         // In a `grafcet` a search for stability that does not come to an end stops wherever its bound lies.
         let approximate = net.approximate || net.grafcet && sooner.is_some();
         let mut watched = answers(&net, sooner.as_ref(), &whole);
@@ -102,14 +122,13 @@ impl Exploration {
             // Times that fall back may be what makes it possible.
             let mut budget = Budget { limit, work: 0 };
             let (whole, sooner) =
-                explore_whole(&net, several, &mut budget, &mut Seen::nothing(&net), Detail::Timed, &end);
+                explore_whole(&net, several, &mut budget, &mut Seen::nothing(&net), Detail::Timed, known.end);
             watched = answers(&net, sooner.as_ref(), &whole);
         }
         let settles = sooner.is_none() && stability::settled(&net, &whole);
-        let end = settles || end();
+        let end = settles || (known.end)();
         let mut covered = vec![whole.complete; net.units];
-        let structure = (!whole.complete).then(|| Concurrency::assuming(model, assumed_never).across_partials(model));
-        net.structure = structure;
+        net.structure = (!whole.complete).then(known.structure);
         let mut pieces = Vec::new();
         if !whole.complete && several {
             for unit in (0..net.units).filter(|unit| net.has_arcs[*unit]) {

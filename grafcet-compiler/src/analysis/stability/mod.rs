@@ -92,8 +92,8 @@ impl Stability {
 
     /// Where a search ends without another look.
     #[must_use]
-    pub fn ends(self) -> Ends {
-        self.ends
+    pub fn ends(&self) -> &Ends {
+        &self.ends
     }
 
     /// Every search ends after each transition has cleared at most once.
