@@ -23,7 +23,7 @@ mod subject;
 
 use std::error::Error;
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use subject::Values;
@@ -40,15 +40,22 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::read_dir(&corpus)?.collect::<Result<Vec<_>, _>>()?.iter().map(fs::DirEntry::path).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "chart"));
     files.sort();
+    let (first, second) = files.split_at(files.len().div_ceil(2));
+    write("first_half", first)?;
+    write("second_half", second)
+}
+
+/// The modules of some charts, and a list of them.
+fn write(half: &str, files: &[PathBuf]) -> Result<(), Box<dyn Error>> {
     let (mut modules, mut list) = (String::new(), String::new());
-    for path in &files {
+    for path in files {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let module = board::module(&fs::read_to_string(path)?);
         let module = module.map_err(|error| format!("{name}: {error}"))?;
         writeln!(modules, "mod {name} {{\n{module}}}")?;
         writeln!(list, "    (\"{name}\", {name}::play),")?;
     }
-    let code = format!("{modules}\npub(crate) const ALL: &[(&str, fn() -> Result<(), u32>)] = &[\n{list}];\n");
-    fs::write(Path::new(&env::var("OUT_DIR")?).join("corpus.rs"), code)?;
+    let code = format!("{modules}\npub(crate) const ALL: &[crate::run::Chart] = &[\n{list}];\n");
+    fs::write(Path::new(&env::var("OUT_DIR")?).join(format!("{half}.rs")), code)?;
     Ok(())
 }

@@ -1,0 +1,19 @@
+//! The first half of the conformance corpus on a Cortex-M, with the host's console behind semihosting.
+#![no_std]
+#![no_main]
+
+#[path = "../check.rs"]
+#[allow(dead_code, reason = "the other half may need it")]
+mod check;
+#[path = "../run.rs"]
+mod run;
+
+#[allow(warnings, clippy::all, clippy::pedantic, missing_docs, reason = "written by the build script")]
+mod corpus {
+    include!(concat!(env!("OUT_DIR"), "/first_half.rs"));
+}
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    run::all(corpus::ALL)
+}
