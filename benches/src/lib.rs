@@ -152,6 +152,7 @@ benches! {
     seq4: Cycle sfc grafcet;
     seq16: Cycle sfc grafcet;
     seq64: Cycle sfc grafcet;
+    seq64_size: Cycle sfc grafcet;
     chain10: Cycle sfc grafcet;
     chain100: Cycle sfc grafcet;
     chain100_size: Cycle sfc grafcet;
@@ -166,9 +167,11 @@ benches! {
     cell: Cycle grafcet;
     laundry: TimedCycle sfc grafcet;
     plating: TimedCycle sfc grafcet;
+    plating_size: TimedCycle sfc grafcet;
     reactor: TimedCycle sfc grafcet;
     packer: TimedCycle grafcet;
     picker: TimedCycle sfc grafcet;
+    picker_size: TimedCycle sfc grafcet;
 }
 
 /// Charts that take the compiler long.

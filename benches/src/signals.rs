@@ -22,6 +22,10 @@ macro_rules! with_signals {
                 x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
                     => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
             }
+            seq64_size (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
             chain10 (sfc grafcet) {
                 x0, x1, x2, x3, x4, x5, x6, x7, x8, x9
                     => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9
@@ -81,6 +85,10 @@ macro_rules! with_signals {
                 start, there, low, high, good, home { recipe: u8 = |bits| 1 + (bits % 3) as u8 }
                     => ready, grip, forward, backward, lower, lift, heat, water, current, air, reject { parts: u16 }
             }
+            plating_size (sfc grafcet) {
+                start, there, low, high, good, home { recipe: u8 = |bits| 1 + (bits % 3) as u8 }
+                    => ready, grip, forward, backward, lower, lift, heat, water, current, air, reject { parts: u16 }
+            }
             reactor (sfc grafcet) {
                 start, good {
                     level: u16 = |bits: u32| (bits & 1023) as u16,
@@ -97,6 +105,10 @@ macro_rules! with_signals {
                     => alarm, manual, erect, gate, push, close, tape, eject, belt, jammed, lamp { cartons: u16 }
             }
             picker (sfc grafcet) {
+                start, part, left, right, up, down, vacuum, ack
+                    => ready, go_left, go_right, lower, suck, blow, alarm { code: u8 }
+            }
+            picker_size (sfc grafcet) {
                 start, part, left, right, up, down, vacuum, ack
                     => ready, go_left, go_right, lower, suck, blow, alarm { code: u8 }
             }

@@ -14,8 +14,12 @@ use ::grafcet::grafcet as chart;
 #[cfg(feature = "through")]
 use grafcet_conformance_printed::optimised as chart;
 
-/// A chart in both dialects; one with time names the shape of its function.
+/// A chart in both dialects; one with time names the shape of its function. Of two names the second one is the chart with `optimize size;`.
 macro_rules! both {
+    ($chart:ident, $small:ident $(: $function:ident)? { $($body:tt)* }) => {
+        both! { $chart $(: $function)? { $($body)* } }
+        both! { $small $(: $function)? { optimize size; $($body)* } }
+    };
     ($chart:ident { $($body:tt)* }) => {
         both! { $chart: Cycle { $($body)* } }
     };

@@ -50,7 +50,7 @@ both! { laundry: TimedCycle {
     Done -[!door && 1s/Done]-> Idle;
 } }
 
-both! { plating: TimedCycle {
+both! { plating, plating_size: TimedCycle {
     input start, there, low, high, good, home: bool;
     input recipe: u8;
     output ready, grip, forward, backward, lower, lift, heat, water, current, air, reject: bool;
@@ -165,7 +165,7 @@ both! { reactor: TimedCycle {
     Sample -[!good && 2s/Sample]-> (Heat, Stir);
 } }
 
-both! { picker: TimedCycle {
+both! { picker, picker_size: TimedCycle {
     input start, part, left, right, up, down, vacuum, ack: bool;
     output ready, go_left, go_right, lower, suck, blow, alarm: bool;
     output code: u8 = 0;

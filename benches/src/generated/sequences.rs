@@ -39,7 +39,7 @@ both! { seq16 {
     S8 -[!x15]-> S9 -[!x4]-> S10 -[x14]-> S11 -[x1]-> S12 -[x2]-> S13 -[x7]-> S14 -[x9]-> S15 -[x5]-> S0;
 } }
 
-both! { seq64 {
+both! { seq64, seq64_size {
     input x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15: bool;
     output q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15: bool;
 

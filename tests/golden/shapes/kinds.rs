@@ -10,45 +10,50 @@ impl Long {
         #[cfg(doc)]
         inputs: &LongInputs,
     ) -> LongOutputs {
-        let mut outputs_ = LongOutputs { lamp: false };
+        let mut outputs_ = const {
+            LongOutputs {
+                lamp: false,
+                horn: false,
+            }
+        };
         let mut after_: __LongState = self.situation;
         'once: {
             #[derive(
                 core::clone::Clone,
                 core::marker::Copy
             )]
-            enum __Kind3 {
+            enum __Kind4 {
                 K0,
                 K1,
                 K2,
             }
-            let kind_: __Kind3 = {
-                const KINDS: [__Kind3; 25usize] = [
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K1,
-                    __Kind3::K2,
-                    __Kind3::K0,
+            let kind_: __Kind4 = {
+                const KINDS: [__Kind4; 25usize] = [
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K0,
+                    __Kind4::K1,
+                    __Kind4::K2,
                 ];
                 match <[_]>::get(&KINDS, self.situation as usize) {
                     Option::Some(found_) => *found_,
@@ -56,13 +61,13 @@ impl Long {
                 }
             };
             match kind_ {
-                __Kind3::K0 => {}
-                __Kind3::K1 => {
+                __Kind4::K2 => {}
+                __Kind4::K0 => {
                     if !inputs_.a {
                         break 'once;
                     }
                 }
-                __Kind3::K2 => {
+                __Kind4::K1 => {
                     if !inputs_.b {
                         break 'once;
                     }
@@ -103,11 +108,73 @@ impl Long {
             };
             self.situation = after_;
         }
-        match after_ {
-            __LongState::S5 => {
-                outputs_.lamp = true;
+        #[derive(
+            core::clone::Clone,
+            core::marker::Copy
+        )]
+        enum __Kind5 {
+            K0,
+            K1,
+            K2,
+        }
+        let kind_2__: __Kind5 = {
+            const KINDS: [__Kind5; 25usize] = [
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K0,
+                __Kind5::K1,
+                __Kind5::K2,
+            ];
+            match <[_]>::get(&KINDS, after_ as usize) {
+                Option::Some(found_) => *found_,
+                Option::None => KINDS[0],
             }
-            _ => {}
+        };
+        match kind_2__ {
+            __Kind5::K0 => {
+                outputs_ = const {
+                    LongOutputs {
+                        lamp: true,
+                        horn: false,
+                    }
+                };
+            }
+            __Kind5::K1 => {
+                outputs_ = const {
+                    LongOutputs {
+                        lamp: false,
+                        horn: true,
+                    }
+                };
+            }
+            _ => {
+                outputs_ = const {
+                    LongOutputs {
+                        lamp: false,
+                        horn: false,
+                    }
+                };
+            }
         }
         outputs_
     }

@@ -27,7 +27,7 @@ type Rule = (&'static str, &'static Figure, Than, f64);
 /// Machines as they are automated: nothing of them may cost more than the best of all programs by hand.
 const PLANTS: [&str; 5] = ["laundry", "plating", "reactor", "packer", "picker"];
 
-const RULES: [Rule; 30] = [
+const RULES: [Rule; 33] = [
     ("line24v", &FLASH, Than::Best, 1.00),
     ("line24v", &BUSY, Than::Best, 1.00),
     ("line24v sfc", &FLASH, Than::Nothing, 78.00),
@@ -44,6 +44,10 @@ const RULES: [Rule; 30] = [
     ("chain100_size sfc", &FLASH, Than::Nothing, 300.00),
     ("chain100_size sfc", &BUSY, Than::Nothing, 33.00),
     ("chain100_size", &RAM, Than::Nothing, 1.00),
+    // Asked for size it is never larger.
+    ("seq64_size", &FLASH, Than::Chart("seq64"), 1.00),
+    ("plating_size", &FLASH, Than::Chart("plating"), 1.00),
+    ("picker_size", &FLASH, Than::Chart("picker"), 1.00),
     ("chain100_flags", &BUSY, Than::Author(5), 1.00),
     ("chain100_flags", &RAM, Than::Nothing, 13.00),
     ("par8", &FLASH, Than::Best, 0.95),

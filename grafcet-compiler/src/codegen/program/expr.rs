@@ -198,6 +198,9 @@ impl<'m> Printer<'_, 'm> {
         })
     }
 
+    /// About so many bytes takes such a jump, where a table has one for each state.
+    const JUMP: usize = 8;
+
     /// Under `optimize size;` LLVM computes the next state where all arms of a match go on to the one behind, so the few jumps that a sequence
     /// has are told apart in front of it.
     fn in_order_but(&self, place: PlaceId, states: &[Value], of_state: &Map<Value, Value>) -> Option<TokenStream> {
@@ -217,7 +220,7 @@ impl<'m> Printer<'_, 'm> {
                 count += 1;
             }
         }
-        (4 * count <= states.len()).then(|| quote!(match #state { #jumps _ => match #state { #in_order } }))
+        (Self::JUMP * count <= states.len()).then(|| quote!(match #state { #jumps _ => match #state { #in_order } }))
     }
 
     fn sum(&self, a: &Expr<'m>, sign: &TokenStream, b: &Expr<'m>) -> TokenStream {

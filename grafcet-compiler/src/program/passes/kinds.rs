@@ -10,7 +10,7 @@
 //! LLVM makes a jump table of such a match, with two or four bytes a state, or copies what a state does that shares it with none to the way there.
 //! Where states that share what they wait for share what they do, one table is enough for both.
 //!
-//! Needs: each arm stands for many states, under `optimize size;`; else what a table of next states stands behind, where a few states have
+//! Needs: each arm stands for many states, of two matches that tell nearly the same apart, under `optimize size;`; else what a table of next states stands behind, where a few states have
 //! an arm of their own.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
@@ -22,19 +22,31 @@ use crate::sorted::{Map, Set};
 /// From so many states on.
 const LONG: usize = 20;
 
+/// From so many states on a jump table has more than a byte for each.
+const BYTE: usize = 256;
+
 /// One state of so many may have an arm of its own: the table costs a byte a state and four instructions a cycle. With one in five it saved an
 /// eighth of the flash (Seq64), with one in four half of that, with nearly each other one none.
 const ALONE: usize = 5;
 
 pub(super) fn pass(program: &mut Program<'_>) {
+    let mut small = program.model.optimize_size;
     let mut found = Vec::new();
-    find(program, &program.cycle, &mut found);
+    find(program, small, &program.cycle, &mut found);
+    let mut common = Kinds::common(program, &found);
+    // A table beside a jump table of bytes pays where it stands for two of these; of many states a jump table has two bytes each.
+    let is_short = program.regions.iter().flatten().count() < BYTE;
+    if small && is_short && common.as_ref().is_none_or(|kinds| !kinds.are_few()) {
+        small = false;
+        found.clear();
+        find(program, small, &program.cycle, &mut found);
+        common = Kinds::common(program, &found);
+    }
     if found.is_empty() {
         return;
     }
-    let common = Kinds::common(program, &found);
     let mut cycle = std::mem::take(&mut program.cycle);
-    block(program, &mut cycle, common.as_ref());
+    block(program, small, &mut cycle, common.as_ref());
     program.cycle = cycle;
 }
 
@@ -63,6 +75,11 @@ impl Kinds {
         Self { of, count: count + i128::from(others) }
     }
 
+    /// Half as many as there are states.
+    fn are_few(&self) -> bool {
+        i128::try_from(self.of.len()).is_ok_and(|states| 2 * self.count <= states)
+    }
+
     /// What all matches tell apart, if that is hardly more than one of them does.
     fn common(program: &Program<'_>, matches: &[(usize, Vec<Vec<Value>>)]) -> Option<Self> {
         let [(region, first), rest @ ..] = matches else { return None };
@@ -83,12 +100,12 @@ impl Kinds {
 }
 
 /// Each match that becomes one by kinds: its region, and the states of each arm.
-fn find(program: &Program<'_>, statements: &[Statement<'_>], found: &mut Vec<(usize, Vec<Vec<Value>>)>) {
+fn find(program: &Program<'_>, small: bool, statements: &[Statement<'_>], found: &mut Vec<(usize, Vec<Vec<Value>>)>) {
     for (at, statement) in statements.iter().enumerate() {
         match statement {
-            Statement::Loop { body, .. } | Statement::Part(_, body) => find(program, body, found),
+            Statement::Loop { body, .. } | Statement::Part(_, body) => find(program, small, body, found),
             Statement::Match(place, arms, _) => {
-                if let Some((region, arms)) = by_kind(program, *place, arms, statements.get(at + 1)) {
+                if let Some((region, arms)) = by_kind(program, small, (*place, arms), statements.get(at + 1)) {
                     found.push((region, arms.into_iter().map(|(values, _)| values).list()));
                 }
             }
@@ -100,8 +117,8 @@ fn find(program: &Program<'_>, statements: &[Statement<'_>], found: &mut Vec<(us
 /// The region of a match that becomes one by kinds, and its arms, each different.
 fn by_kind<'m>(
     program: &Program<'m>,
-    place: PlaceId,
-    arms: &[Arm<'m>],
+    small: bool,
+    (place, arms): (PlaceId, &[Arm<'m>]),
     behind: Option<&Statement<'m>>,
 ) -> Option<(usize, Vec<Arm<'m>>)> {
     let Type::State(region) = program.places[place.0].ty else { return None };
@@ -112,22 +129,18 @@ fn by_kind<'m>(
     let arms = merged(arms.to_vec());
     let alone = arms.iter().filter(|(values, body)| values.len() == 1 && !body.is_empty()).count();
     let is_test = matches!(behind, Some(Statement::Set(_, Expr::Table(..))));
-    let few = if program.model.optimize_size {
-        2 * arms.len() <= states
-    } else {
-        is_test && alone > 0 && alone * ALONE <= states
-    };
+    let few = if small { 2 * arms.len() <= states } else { is_test && alone > 0 && alone * ALONE <= states };
     few.then_some((region, arms))
 }
 
-fn block<'m>(program: &mut Program<'m>, statements: &mut Vec<Statement<'m>>, common: Option<&Kinds>) {
+fn block<'m>(program: &mut Program<'m>, small: bool, statements: &mut Vec<Statement<'m>>, common: Option<&Kinds>) {
     let mut new = Vec::with_capacity(statements.len());
     let mut rest = std::mem::take(statements).into_iter().peekable();
     while let Some(mut statement) = rest.next() {
         match &mut statement {
-            Statement::Loop { body, .. } | Statement::Part(_, body) => block(program, body, common),
+            Statement::Loop { body, .. } | Statement::Part(_, body) => block(program, small, body, common),
             Statement::Match(place, arms, otherwise) => {
-                if let Some((region, arms)) = by_kind(program, *place, arms, rest.peek()) {
+                if let Some((region, arms)) = by_kind(program, small, (*place, arms), rest.peek()) {
                     let (place, otherwise) = (*place, std::mem::take(otherwise));
                     let own = Kinds::of(program, region, &arms.iter().map(|(values, _)| values.clone()).list());
                     let kinds = common.unwrap_or(&own);

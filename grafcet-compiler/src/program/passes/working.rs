@@ -105,7 +105,7 @@ fn without_rise(statements: &mut Vec<Statement<'_>>, place: PlaceId) {
 }
 
 /// Another place in all statements.
-fn rename<'m>(statements: &mut [Statement<'m>], from: PlaceId, to: PlaceId) {
+pub(super) fn rename<'m>(statements: &mut [Statement<'m>], from: PlaceId, to: PlaceId) {
     let leaf = |expr: &Expr<'m>| match expr {
         Expr::Place(place) if *place == from => Some(Expr::Place(to)),
         Expr::Is(place, steps) if *place == from => Some(Expr::Is(to, steps.clone())),

@@ -72,7 +72,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Passed, &wash()),
         (Pass::Records, lamp),
         (Pass::Working, stairs),
-        (Pass::Kinds, &small_belt()),
+        (Pass::Kinds, &crossed_belt()),
         (Pass::Nested, PLANT),
         (Pass::United, BOXES),
         (Pass::Arms, BOXES),
@@ -200,11 +200,6 @@ fn belt(steps: usize) -> String {
         _ = write!(text, "{initial}step S{step}{action} S{step} -[{input}]-> S{}; ", (step + 1) % steps);
     }
     text + "}"
-}
-
-/// A belt of so many steps that a table says what there is to do in each.
-fn small_belt() -> String {
-    belt(24).replacen("sfc Belt {", "sfc Belt { optimize size;", 1)
 }
 
 /// A belt whose steps wait and act alike, but for one that acts as others do: what a table says of both has to tell it apart.
@@ -349,7 +344,7 @@ fn steps_that_wait_for_the_same_lead_elsewhere() {
 /// A table leads from each step to its next one, and nowhere while its condition does not hold.
 #[test]
 fn a_table_says_which_step_is_next() {
-    for (chart, table) in [(belt(9), "table("), (small_belt(), "kinds("), (crossed_belt(), "kinds(")] {
+    for (chart, table) in [(belt(9), "table("), (crossed_belt(), "kinds(")] {
         goes_by_table(&chart, table);
     }
 }
@@ -365,6 +360,24 @@ fn goes_by_table(chart: &str, table: &str) {
     }
     let lines = reader::read(&text).expect("a timeline").lines;
     assert!(matches!(compare(&model, &lines, &Pass::ALL), Ok(Outcome::Same)));
+}
+
+/// Who asks for size gets no table of kinds where it would stand beside jump tables, and actions that stand behind the evolution on each processor.
+#[test]
+fn size_is_what_was_asked_for() {
+    let printed = |chart: &str, name: &str| {
+        let small = chart.replacen(name, &format!("{name} optimize size;"), 1);
+        [chart, &small].map(|text| optimised(&read(text), &Pass::ALL).expect("a program").to_string())
+    };
+    let fences = |text: &str| text.lines().filter(|line| line.trim() == "fence").count();
+    let [usual, small] = printed(&wash(), "sfc Wash {");
+    assert_eq!((fences(&usual), fences(&small)), (0, 1), "{small}");
+    let [usual, small] = printed(&belt(24), "sfc Belt {");
+    assert!(!small.contains("kinds("), "{small}");
+    // What is next is computed, and that and what the step does ask for the state as it is stored.
+    assert_eq!((fences(&usual), fences(&small)), (0, 2), "{small}");
+    assert!(small.contains("after = table(state)"), "{small}");
+    assert!(small.contains("fence\n  match state\n"), "{small}");
 }
 
 /// A step that no way leaves has no arm where the next state is decided, and keeps its state where that is stored.
