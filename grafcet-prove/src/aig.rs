@@ -212,7 +212,8 @@ impl Aig {
             let value = match *node {
                 Node::False => false,
                 Node::Free => free(index),
-                Node::And(a, b) => (values[a.node()] ^ a.is_negated()) && (values[b.node()] ^ b.is_negated()),
+                // Both are looked at: which way a jump goes nobody can guess here.
+                Node::And(a, b) => (values[a.node()] ^ a.is_negated()) & (values[b.node()] ^ b.is_negated()),
             };
             values.push(value);
         }
