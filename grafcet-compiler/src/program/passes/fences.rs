@@ -15,13 +15,14 @@
 //!   instructions so, and 558 and 35.6 with a fence in front of that and one behind the search.
 //! - On ARMv6-M a jump table has a word for each step as long as anything behind the jump asks for the step that it went by, else a byte: a fence in front of what asks has
 //!   it read anew, and plating takes 533 bytes instead of 709. On other processors that would cost instructions alone.
-//! - `optimize size;` has these fences on all processors, and one behind the table of a sequence: a robot with watchdogs takes 428 bytes instead of 526 on a Cortex-M3,
-//!   and 27.2 instructions instead of 23.4.
 //! - The same where a state is asked for once more within what has been found of it (`united`): the packer takes 564 bytes instead of 604.
+//! - Under `optimize size;` the fences of one region are there on all processors, and one in front of the table of a sequence and behind it: a robot with watchdogs takes
+//!   424 bytes instead of 522 on a Cortex-M3, and 27.2 instructions instead of 23.4.
 //! - Four neighbours that are written together become a call of `memset` on a processor without unaligned stores.
 
 use super::super::{Expr, Fence, PlaceId, Program, Role, Statement, Type};
 use super::tables::goes_by_table;
+use super::uses::is_written_in;
 use super::working::rename;
 
 /// With fewer steps the code is smaller where the inputs are found once for all evolutions.
@@ -80,7 +81,8 @@ fn scan(program: &mut Program<'_>) {
     }
 }
 
-/// Behind a table what the steps do asks for the state as it is stored. Where LLVM computes what is next it would else go from each step to what the next one does.
+/// What the steps of a sequence do asks behind its table for the state as it is stored, and so does the table. Where LLVM computes what is next it would else go from each step
+/// to what the next one does.
 fn anew(program: &mut Program<'_>, state: PlaceId) {
     let is_state = |place: &PlaceId| matches!(program.places[place.0].ty, Type::State(_));
     let mut found = None;
@@ -93,28 +95,33 @@ fn anew(program: &mut Program<'_>, state: PlaceId) {
         }
     }
     let Some((at, after)) = found else { return };
+    let acts = |one: &Statement<'_>| matches!(one, Statement::Match(of, ..) if *of == after);
+    if !program.cycle[at..].iter().any(acts) || is_written_in(&program.cycle[at + 1..], after) {
+        return;
+    }
+    rename(&mut program.cycle, after, state);
+    let itself = |one: &Statement<'_>| matches!(one, Statement::Set(to, Expr::Place(from)) if to == from);
     if let Statement::Loop { body, .. } = &mut program.cycle[at] {
+        body.retain(|one| !itself(one));
         before_table(body, state, state);
     }
-    let acts = |one: &Statement<'_>| matches!(one, Statement::Match(of, ..) if *of == after);
-    if program.cycle[at..].iter().any(acts) {
-        rename(&mut program.cycle[at + 1..], after, state);
-        program.cycle.insert(at + 1, Statement::Fence(Fence::Memory));
-    }
+    program.cycle.insert(at + 1, Statement::Fence(Fence::Memory));
+    program.cycle.retain(|one| !itself(one));
 }
 
 /// In front of what is next after each step, where the steps are told apart by a match on their place and not by kind: what is stored is asked anew.
 fn before_table(body: &mut Vec<Statement<'_>>, asked: PlaceId, state: PlaceId) {
-    let is_by_state = body.iter().any(|one| matches!(one, Statement::Match(of, ..) if *of == asked));
-    let table = body.iter_mut().position(|one| match one {
-        Statement::Set(_, Expr::Table(of, _)) if is_by_state => {
-            *of = state;
-            true
+    let mut by_state = false;
+    for (at, one) in body.iter_mut().enumerate() {
+        match one {
+            Statement::Match(of, ..) => by_state |= *of == asked,
+            Statement::Set(to, Expr::Table(of, _)) if by_state && *to == asked => {
+                *of = state;
+                body.insert(at, Statement::Fence(Fence::Memory));
+                return;
+            }
+            _ => {}
         }
-        _ => false,
-    });
-    if let Some(at) = table {
-        body.insert(at, Statement::Fence(Fence::Memory));
     }
 }
 
@@ -136,16 +143,14 @@ fn search(program: &mut Program<'_>, at: usize) {
         from_field(&mut body[table], state);
         body.insert(table, Statement::Fence(Fence::Memory));
     }
-    if is_small {
-        if let Some(Statement::Match(asked, ..)) = body.first() {
-            let asked = *asked;
-            before_table(body, asked, state);
-        }
+    let asked = body.iter().find_map(|one| if let Statement::Match(of, ..) = one { Some(*of) } else { None });
+    if let (Some(asked), true) = (asked, is_small) {
+        before_table(body, asked, state);
     }
     let is_inside = steps >= FEW && (!goes_by_table(body) || is_by_kind);
     if is_inside {
         if !is_by_kind {
-            let is_wide = table.is_none() && (steps > SHORT || is_small);
+            let is_wide = table.is_none() && (steps > SHORT || is_small && steps >= LONG);
             body.insert(0, Statement::Fence(if is_wide { Fence::Memory } else { Fence::Armv6m }));
         }
         body.insert(0, Statement::Fence(Fence::Inputs));

@@ -10,7 +10,7 @@
 //! LLVM makes a jump table of such a match, with two or four bytes a state, or copies what a state does that shares it with none to the way there.
 //! Where states that share what they wait for share what they do, one table is enough for both.
 //!
-//! Needs: each arm stands for many states, of two matches that tell nearly the same apart, under `optimize size;`; else what a table of next states stands behind, where a few states have
+//! Needs: each arm stands for many states, of two matches that tell nearly the same apart, or of 256 states and more, under `optimize size;`; else what a table of next states stands behind, where a few states have
 //! an arm of their own.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
@@ -22,7 +22,7 @@ use crate::sorted::{Map, Set};
 /// From so many states on.
 const LONG: usize = 20;
 
-/// From so many states on a jump table has more than a byte for each.
+/// From about so many states on a jump table has more than a byte for each.
 const BYTE: usize = 256;
 
 /// One state of so many may have an arm of its own: the table costs a byte a state and four instructions a cycle. With one in five it saved an
@@ -35,7 +35,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     find(program, small, &program.cycle, &mut found);
     let mut common = Kinds::common(program, &found);
     // A table beside a jump table of bytes pays where it stands for two of these; of many states a jump table has two bytes each.
-    let is_short = program.regions.iter().flatten().count() < BYTE;
+    let is_short = program.regions.iter().all(|steps| steps.len() < BYTE);
     if small && is_short && common.as_ref().is_none_or(|kinds| !kinds.are_few()) {
         small = false;
         found.clear();

@@ -346,7 +346,12 @@ fn steps_that_wait_for_the_same_lead_elsewhere() {
 fn a_table_says_which_step_is_next() {
     for (chart, table) in [(belt(9), "table("), (crossed_belt(), "kinds(")] {
         goes_by_table(&chart, table);
+        goes_by_table(&chart.replacen("sfc", "grafcet", 1), table);
     }
+    // Asked for size, the table and what the steps do ask for the state as it is stored.
+    let small = belt(24).replacen("sfc Belt {", "sfc Belt { optimize size;", 1);
+    goes_by_table(&small, "state = table(state)");
+    goes_by_table(&small.replacen("sfc", "grafcet", 1), "now.state = table(state)");
 }
 
 fn goes_by_table(chart: &str, table: &str) {
@@ -376,7 +381,7 @@ fn size_is_what_was_asked_for() {
     assert!(!small.contains("kinds("), "{small}");
     // What is next is computed, and that and what the step does ask for the state as it is stored.
     assert_eq!((fences(&usual), fences(&small)), (0, 2), "{small}");
-    assert!(small.contains("after = table(state)"), "{small}");
+    assert!(small.contains("state = table(state)"), "{small}");
     assert!(small.contains("fence\n  match state\n"), "{small}");
 }
 
