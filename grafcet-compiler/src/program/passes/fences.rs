@@ -14,7 +14,7 @@
 //! - Where a table tells which step is next, its number would stay in a register for the whole of an evolution: laundry as `grafcet` takes 634 bytes and 36.8
 //!   instructions so, and 558 and 35.6 with a fence in front of that and one behind the search.
 //! - On ARMv6-M a jump table has a word for each step as long as anything behind the jump asks for the step that it went by, else a byte: a fence in front of what asks has
-//!   it read anew, and plating takes 533 bytes instead of 709. On other processors that would cost instructions alone.
+//!   it read anew, and plating takes 533 bytes instead of 709. On other processors it saves less, and costs instructions.
 //! - The same where a state is asked for once more within what has been found of it (`united`): the packer takes 564 bytes instead of 604.
 //! - Under `optimize size;` the fences of one region are there on all processors, and one in front of the table of a sequence and behind it: a robot with watchdogs takes
 //!   424 bytes instead of 522 on a Cortex-M3, and 27.2 instructions instead of 23.4.
