@@ -175,7 +175,7 @@ pub mod __private {
     pub use grafcet_core::fence::fence_on_armv6m;
     #[cfg(feature = "record")]
     pub use grafcet_core::record::Blocked;
-    pub use grafcet_core::values::{copied, default_value, is_same, name_at};
+    pub use grafcet_core::values::{copied, default_value, is_same, name_at, step_at};
     #[cfg(feature = "record")]
     pub use grafcet_core::{__recorded as recorded, __recorded_stub as recorded_stub};
     pub use grafcet_core::{

@@ -1,5 +1,7 @@
 //! What a chart asks of the types of its values, in words: a type that lacks it is told so where the chart names it.
 
+use crate::Chart;
+
 /// A value that can be copied.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not `Copy`: a chart copies the values of its inputs, outputs, variables and params",
@@ -46,6 +48,13 @@ pub const fn name_at(names: &[&'static str], place: usize) -> &'static str {
         Some((_, [name, ..])) => name,
         _ => "",
     }
+}
+
+/// The step of a chart at a place of its list. Were the list named in the chart's own code, a check would compute it, which takes rustc long where it has thousands.
+#[must_use]
+#[inline]
+pub fn step_at<C: Chart>(place: usize) -> Option<C::Step> {
+    C::STEPS.get(place).copied()
 }
 
 /// The default of a type.

@@ -15,8 +15,7 @@ The situation takes 2 bytes: for each of these sets of steps, which of them is a
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct Batch {
     region_0: __BatchRegion0,
@@ -39,6 +38,8 @@ pub struct Batch {
     sd_tmr_pump_in: ::grafcet::__private::bool,
     params: BatchParams,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Batch {}
 impl Batch {
     ///A chart `Batch` in its initial situation; its activation belongs to the first cycle.
     #[must_use]
@@ -104,7 +105,6 @@ impl ::grafcet::__private::core::default::Default for Batch {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct BatchInputs {
@@ -117,6 +117,8 @@ pub struct BatchInputs {
     ///Input `level`.
     pub level: ::grafcet::__private::core::primitive::u16,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for BatchInputs {}
 impl BatchInputs {
     /// The default inputs, for constants and statics.
     pub const DEFAULT: Self = Self {
@@ -131,8 +133,7 @@ impl BatchInputs {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct BatchOutputs {
     ///Output `valve`.
@@ -144,6 +145,8 @@ pub struct BatchOutputs {
     ///Output `speed`.
     pub speed: ::grafcet::__private::core::primitive::u16,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for BatchOutputs {}
 impl ::grafcet::__private::core::default::Default for BatchOutputs {
     fn default() -> Self {
         Self {
@@ -159,7 +162,6 @@ impl ::grafcet::__private::core::default::Default for BatchOutputs {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -176,6 +178,8 @@ pub enum BatchStep {
     ///Step `Drain`.
     Drain,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for BatchStep {}
 impl BatchStep {
     /// The name as it is written.
     #[must_use]
@@ -208,7 +212,6 @@ impl ::grafcet::__private::core::fmt::Display for BatchStep {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -223,6 +226,8 @@ pub enum BatchTransition {
     ///`Drain -[level == 0]-> Idle`
     DrainToIdle,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for BatchTransition {}
 impl BatchTransition {
     /// The name as it is written.
     #[must_use]
@@ -255,8 +260,7 @@ impl ::grafcet::__private::core::fmt::Display for BatchTransition {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct BatchParams {
     ///Parameter `soak`.
@@ -264,6 +268,8 @@ pub struct BatchParams {
     ///Parameter `hot`.
     pub hot: ::grafcet::__private::core::primitive::i16,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for BatchParams {}
 impl BatchParams {
     /// The values in the chart.
     #[must_use]
@@ -294,8 +300,7 @@ pub trait BatchActions {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 enum __BatchRegion0 {
@@ -305,6 +310,8 @@ enum __BatchRegion0 {
     Drain,
     INIT,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __BatchRegion0 {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __BatchRegion0 {
     fn fmt(
@@ -322,14 +329,15 @@ impl ::grafcet::__private::core::fmt::Debug for __BatchRegion0 {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 enum __BatchRegion1 {
     Heat,
     NONE,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __BatchRegion1 {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __BatchRegion1 {
     fn fmt(
@@ -348,13 +356,14 @@ impl ::grafcet::__private::core::fmt::Debug for __BatchRegion1 {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct BatchSituation {
     region_0: __BatchRegion0,
     region_1: __BatchRegion1,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for BatchSituation {}
 impl BatchSituation {
     /// Whether the step is active in this situation.
     #[must_use]
@@ -1052,13 +1061,14 @@ impl Batch {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct BatchVars {
     ///Variable `count`.
     pub count: ::grafcet::__private::core::primitive::u16,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for BatchVars {}
 impl Batch {
     /// The variables, as the last cycle has left them.
     #[must_use]
@@ -1107,106 +1117,60 @@ impl ::grafcet::__private::Chart for Batch {
 }
 impl Batch {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
-    pub const CHART: ::grafcet::__private::description::Description<'static> = {
-        use ::grafcet::__private::description as d;
-        static STEPS: [d::table::Text; 5] = ["Idle", "Fill", "Heat", "Stir", "Drain"];
-        static STEP_NUMBERS: [d::table::Number; 25] = [
-            0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32, 0u32, 0u32, 0u32,
-            4u32, 0u32, 0u32, 0u32, 0u32, 3u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32,
-        ];
-        static ACTIONS: [d::table::Text; 48] = [
-            "N",
-            "",
-            "",
-            "lamp",
-            "N",
-            "",
-            "",
-            "valve",
-            "P1",
-            "",
-            "",
-            "count = count + 1",
-            "N",
-            "",
-            "",
-            "heat(hot)",
-            "L",
-            "3s",
-            "",
-            "lamp",
-            "D",
-            "1s",
-            "",
-            "pump",
-            "N",
-            "",
-            "",
-            "speed = 10",
-            "N",
-            "",
-            "",
-            "heat(40)",
-            "SD",
-            "2s",
-            "",
-            "pump",
-            "P0",
-            "",
-            "",
-            "{ if count > 3 { count = 0; } }",
-            "R",
-            "",
-            "",
-            "pump",
-            "N",
-            "",
-            "level > 3",
-            "pump",
-        ];
-        struct Actions;
-        impl Actions {
-            const ALL: &'static [d::Action<'static>] = &d::table::actions::<
-                12,
-            >(&ACTIONS);
-        }
-        static TRANSITIONS: [d::table::Text; 8] = [
-            "",
-            "rising(start)",
-            "",
-            "full && soak/Heat",
-            "",
-            "Stir.T >= 2s && 1s/empty/500ms",
-            "",
-            "level == 0",
-        ];
-        static TRANSITION_NUMBERS: [d::table::Number; 12] = [
-            1u32, 2u32, 0u32, 2u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32,
-        ];
-        static ENDS: [d::table::End; 10] = [
-            0usize, 1usize, 2usize, 1usize, 2usize, 3usize, 3usize, 4usize, 4usize,
-            0usize,
-        ];
-        d::Description {
-            name: "Batch",
-            dialect: d::Dialect::Sfc,
-            partials: &[d::Partial::new("")],
-            macros: &[],
-            steps: &d::table::steps::<5>(&STEPS, &STEP_NUMBERS, Actions::ALL, &[]),
-            transitions: &d::table::transitions::<
-                4,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &[]),
-            lets: &[],
-        }
-    };
+    pub const CHART: ::grafcet::__private::description::Description<'static> = ::grafcet::__private::description::table::Described::<
+        Batch,
+        12,
+        0,
+        10,
+        1,
+        0,
+        5,
+        4,
+        0,
+    >::sfc();
+}
+impl ::grafcet::__private::description::table::Tables for Batch {
+    const TEXTS: &'static [&'static ::grafcet::__private::str] = &[
+        "",
+        "1s",
+        "2s",
+        "3s",
+        "Batch",
+        "D",
+        "Drain",
+        "Fill",
+        "Heat",
+        "Idle",
+        "L",
+        "N",
+        "P0",
+        "P1",
+        "R",
+        "SD",
+        "Stir",
+        "Stir.T >= 2s && 1s/empty/500ms",
+        "count = count + 1",
+        "full && soak/Heat",
+        "heat(40)",
+        "heat(hot)",
+        "lamp",
+        "level == 0",
+        "level > 3",
+        "pump",
+        "rising(start)",
+        "speed = 10",
+        "valve",
+        "{ if count > 3 { count = 0; } }",
+    ];
+    const NUMBERS: &'static [::grafcet::__private::u8] = b"\x0B\0\0\x16\x0B\0\0\x1C\r\0\0\x12\x0B\0\0\x15\n\x03\0\x16\x05\x01\0\x19\x0B\0\0\x1B\x0B\0\0\x14\x0F\x02\0\x19\x0C\0\0\x1D\x0E\0\0\x19\x0B\0\x18\x19\0\x01\x02\x01\x02\x03\x03\x04\x04\0\x04\0\0\0\t\x01\0\0\x01\0\0\x07\0\0\0\x02\0\0\x08\0\0\0\x04\0\0\x10\0\0\0\x03\0\0\x06\0\0\0\x02\0\0\0\x1A\x01\x02\0\0\0\x13\x02\x01\0\0\0\x11\x01\x01\0\0\0\x17\x01\x01\0\0";
 }
 impl ::grafcet::__private::ActiveSteps for BatchSituation {
     fn is_active_at(
         &self,
         step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Batch as ::grafcet::__private::Chart>::STEPS.get(step_) {
-            ::grafcet::__private::Option::Some(active_) => self.is_active(*active_),
+        match ::grafcet::__private::step_at::<Batch>(step_) {
+            ::grafcet::__private::Option::Some(active_) => self.is_active(active_),
             ::grafcet::__private::Option::None => false,
         }
     }

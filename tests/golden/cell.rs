@@ -16,8 +16,7 @@ The situation takes 3 bytes: for each of these sets of steps, which of them is a
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct Cell {
     region_0: __CellRegion0Mark,
@@ -27,6 +26,8 @@ pub struct Cell {
     n: ::grafcet::__private::core::primitive::u16,
     edge0_before: ::grafcet::__private::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Cell {}
 impl Cell {
     ///A chart `Cell` in its initial situation; its activation belongs to the first cycle.
     #[must_use]
@@ -52,7 +53,6 @@ impl ::grafcet::__private::core::default::Default for Cell {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct CellInputs {
@@ -69,6 +69,8 @@ pub struct CellInputs {
     ///Input `auto`.
     pub auto: ::grafcet::__private::core::primitive::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for CellInputs {}
 impl CellInputs {
     /// The default inputs, for constants and statics.
     pub const DEFAULT: Self = Self {
@@ -86,7 +88,6 @@ impl CellInputs {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct CellOutputs {
@@ -99,12 +100,13 @@ pub struct CellOutputs {
     ///Output `bell`.
     pub bell: ::grafcet::__private::core::primitive::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for CellOutputs {}
 ///The names of the steps of [`Cell`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -129,6 +131,8 @@ pub enum CellStep {
     ///Step `Count`.
     Count,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for CellStep {}
 impl CellStep {
     /// The name as it is written.
     #[must_use]
@@ -171,7 +175,6 @@ impl ::grafcet::__private::core::fmt::Display for CellStep {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -196,6 +199,8 @@ pub enum CellTransition {
     ///`Auto -[n >= 2 && !part]-> Idle`
     AutoToIdle,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for CellTransition {}
 impl CellTransition {
     /// The name as it is written.
     #[must_use]
@@ -236,8 +241,7 @@ impl ::grafcet::__private::core::fmt::Display for CellTransition {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 enum __CellRegion0 {
@@ -246,6 +250,8 @@ enum __CellRegion0 {
     Restart,
     INIT,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __CellRegion0 {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
     fn fmt(
@@ -265,11 +271,12 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 struct __CellRegion0Mark(::grafcet::__private::u8);
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __CellRegion0Mark {}
 impl __CellRegion0Mark {
     const fn of(state_: __CellRegion0) -> Self {
         Self(state_ as ::grafcet::__private::u8)
@@ -303,8 +310,7 @@ impl __CellRegion0Mark {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 enum __CellRegion1 {
@@ -315,6 +321,8 @@ enum __CellRegion1 {
     Auto,
     NONE,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __CellRegion1 {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __CellRegion1 {
     fn fmt(
@@ -332,14 +340,15 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion1 {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 enum __CellRegion2 {
     Count,
     NONE,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __CellRegion2 {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __CellRegion2 {
     fn fmt(
@@ -358,14 +367,15 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion2 {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct CellSituation {
     region_0: __CellRegion0,
     region_1: __CellRegion1,
     region_2: __CellRegion2,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for CellSituation {}
 impl CellSituation {
     /// Whether the step is active in this situation.
     #[must_use]
@@ -735,13 +745,14 @@ impl Cell {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct CellVars {
     ///Variable `n`.
     pub n: ::grafcet::__private::core::primitive::u16,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for CellVars {}
 impl Cell {
     /// The variables, as the last cycle has left them.
     #[must_use]
@@ -799,111 +810,68 @@ impl ::grafcet::__private::Chart for Cell {
 }
 impl Cell {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
-    pub const CHART: ::grafcet::__private::description::Description<'static> = {
-        use ::grafcet::__private::description as d;
-        static STEPS: [d::table::Text; 9] = [
-            "Ready",
-            "Stopped",
-            "Restart",
-            "Idle",
-            "Feed",
-            "Close",
-            "Open",
-            "Auto",
-            "Count",
-        ];
-        static STEP_NUMBERS: [d::table::Number; 45] = [
-            1u32, 1u32, 0u32, 0u32, 0u32, 1u32, 0u32, 0u32, 1u32, 1u32, 1u32, 0u32, 0u32,
-            0u32, 1u32, 2u32, 1u32, 0u32, 0u32, 0u32, 2u32, 0u32, 0u32, 1u32, 0u32, 2u32,
-            0u32, 1u32, 1u32, 0u32, 2u32, 0u32, 1u32, 1u32, 0u32, 2u32, 0u32, 0u32, 1u32,
-            0u32, 3u32, 2u32, 0u32, 1u32, 0u32,
-        ];
-        static FORCES: [d::table::Text; 2] = ["Production {}", "Production {INIT}"];
-        static ACTIONS: [d::table::Text; 24] = [
-            "N",
-            "",
-            "",
-            "lamp",
-            "N",
-            "",
-            "",
-            "belt",
-            "S",
-            "",
-            "",
-            "clamp",
-            "R",
-            "",
-            "",
-            "clamp",
-            "N",
-            "",
-            "Clamp.X",
-            "bell",
-            "on",
-            "",
-            "rising(part)",
-            "n = n + 1",
-        ];
-        struct Actions;
-        impl Actions {
-            const ALL: &'static [d::Action<'static>] = &d::table::actions::<6>(&ACTIONS);
-        }
-        static TRANSITIONS: [d::table::Text; 18] = [
-            "",
-            "estop",
-            "",
-            "!estop",
-            "",
-            "true",
-            "",
-            "clamped",
-            "",
-            "start",
-            "",
-            "full",
-            "",
-            "!clamped",
-            "",
-            "auto && !start",
-            "",
-            "n >= 2 && !part",
-        ];
-        static TRANSITION_NUMBERS: [d::table::Number; 27] = [
-            1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32,
-            1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32,
-            1u32,
-        ];
-        static ENDS: [d::table::End; 18] = [
-            0usize, 1usize, 1usize, 2usize, 2usize, 0usize, 5usize, 6usize, 3usize,
-            4usize, 4usize, 5usize, 6usize, 3usize, 3usize, 7usize, 7usize, 3usize,
-        ];
-        static CLEARING: [d::table::Text; 1] = ["n = 0"];
-        d::Description {
-            name: "Cell",
-            dialect: d::Dialect::Grafcet,
-            partials: &[
-                d::Partial::new(""),
-                d::Partial::new("Safety"),
-                d::Partial::new("Production"),
-                d::Partial::new("Counting").enclosed_by(7),
-            ],
-            macros: &[d::MacroStep::new("Clamp", 5, 6)],
-            steps: &d::table::steps::<9>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
-            transitions: &d::table::transitions::<
-                9,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
-            lets: &[],
-        }
-    };
+    pub const CHART: ::grafcet::__private::description::Description<'static> = ::grafcet::__private::description::table::Described::<
+        Cell,
+        6,
+        3,
+        18,
+        4,
+        1,
+        9,
+        9,
+        0,
+    >::grafcet();
+}
+impl ::grafcet::__private::description::table::Tables for Cell {
+    const TEXTS: &'static [&'static ::grafcet::__private::str] = &[
+        "",
+        "!clamped",
+        "!estop",
+        "Auto",
+        "Cell",
+        "Clamp",
+        "Clamp.X",
+        "Close",
+        "Count",
+        "Counting",
+        "Feed",
+        "Idle",
+        "N",
+        "Open",
+        "Production",
+        "Production {INIT}",
+        "Production {}",
+        "R",
+        "Ready",
+        "Restart",
+        "S",
+        "Safety",
+        "Stopped",
+        "auto && !start",
+        "bell",
+        "belt",
+        "clamp",
+        "clamped",
+        "estop",
+        "full",
+        "lamp",
+        "n = 0",
+        "n = n + 1",
+        "n >= 2 && !part",
+        "on",
+        "rising(part)",
+        "start",
+        "true",
+    ];
+    const NUMBERS: &'static [::grafcet::__private::u8] = b"\x0C\0\0\x1E\x0C\0\0\x19\x14\0\0\x1A\x11\0\0\x1A\x0C\0\x06\x18\"\0# \x10\x0F\x1F\0\x01\x01\x02\x02\0\x05\x06\x03\x04\x04\x05\x06\x03\x03\x07\x07\x03\x04\0\0\0\x15\0\0\x0E\0\0\t\x08\0\x05\0\x05\x06\0\x12\x01\x01\0\0\0\0\x16\0\x01\0\x01\0\x01\x13\0\x01\0\0\0\x01\x0B\x01\x02\0\0\0\0\n\0\x02\0\x01\0\0\x07\0\x02\x01\x01\0\0\r\0\x02\x01\x01\0\0\x03\0\x02\0\x01\0\0\x08\x02\x03\0\x01\0\0\0\x1C\x01\x01\0\0\0\x02\x01\x01\0\0\0%\x01\x01\0\0\0\x1B\x01\x01\0\0\0$\x01\x01\0\0\0\x1D\x01\x01\0\0\0\x01\x01\x01\0\0\0\x17\x01\x01\0\0\0!\x01\x01\x01\0";
 }
 impl ::grafcet::__private::ActiveSteps for CellSituation {
     fn is_active_at(
         &self,
         step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Cell as ::grafcet::__private::Chart>::STEPS.get(step_) {
-            ::grafcet::__private::Option::Some(active_) => self.is_active(*active_),
+        match ::grafcet::__private::step_at::<Cell>(step_) {
+            ::grafcet::__private::Option::Some(active_) => self.is_active(active_),
             ::grafcet::__private::Option::None => false,
         }
     }

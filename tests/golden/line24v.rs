@@ -12,12 +12,13 @@ The situation takes one byte: which of its 4 steps is active.*/
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct Line24V {
     situation: __Line24VStateMark,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Line24V {}
 impl Line24V {
     ///A chart `Line24V` in its initial situation; its activation belongs to the first cycle.
     #[must_use]
@@ -38,7 +39,6 @@ impl ::grafcet::__private::core::default::Default for Line24V {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct Line24VInputs {
@@ -53,6 +53,8 @@ pub struct Line24VInputs {
     ///Input `b5`.
     pub b5: ::grafcet::__private::core::primitive::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Line24VInputs {}
 impl Line24VInputs {
     /// The default inputs, for constants and statics.
     pub const DEFAULT: Self = Self {
@@ -69,7 +71,6 @@ impl Line24VInputs {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct Line24VOutputs {
@@ -80,12 +81,13 @@ pub struct Line24VOutputs {
     ///Output `q3`.
     pub q3: ::grafcet::__private::core::primitive::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Line24VOutputs {}
 ///The names of the steps of [`Line24V`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -100,6 +102,8 @@ pub enum Line24VStep {
     ///Step `S4`.
     S4,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Line24VStep {}
 impl Line24VStep {
     /// The name as it is written.
     #[must_use]
@@ -132,7 +136,6 @@ impl ::grafcet::__private::core::fmt::Display for Line24VStep {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -147,6 +150,8 @@ pub enum Line24VTransition {
     ///`S4 -[b4]-> S1`
     S4ToS1,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Line24VTransition {}
 impl Line24VTransition {
     /// The name as it is written.
     #[must_use]
@@ -177,8 +182,7 @@ impl ::grafcet::__private::core::fmt::Display for Line24VTransition {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 #[repr(u32)]
@@ -188,6 +192,8 @@ enum __Line24VState {
     S3,
     S4,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __Line24VState {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __Line24VState {
     fn fmt(
@@ -207,11 +213,12 @@ impl ::grafcet::__private::core::fmt::Debug for __Line24VState {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 struct __Line24VStateMark(::grafcet::__private::u8);
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __Line24VStateMark {}
 impl __Line24VStateMark {
     const fn of(state_: __Line24VState) -> Self {
         Self(state_ as ::grafcet::__private::u8)
@@ -440,71 +447,47 @@ impl ::grafcet::__private::Chart for Line24V {
 }
 impl Line24V {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
-    pub const CHART: ::grafcet::__private::description::Description<'static> = {
-        use ::grafcet::__private::description as d;
-        static STEPS: [d::table::Text; 4] = ["S1", "S2", "S3", "S4"];
-        static STEP_NUMBERS: [d::table::Number; 20] = [
-            0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32,
-            1u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32,
-        ];
-        static ACTIONS: [d::table::Text; 16] = [
-            "N",
-            "",
-            "",
-            "q1",
-            "S",
-            "",
-            "",
-            "q2",
-            "N",
-            "",
-            "b5",
-            "q3",
-            "R",
-            "",
-            "",
-            "q2",
-        ];
-        struct Actions;
-        impl Actions {
-            const ALL: &'static [d::Action<'static>] = &d::table::actions::<4>(&ACTIONS);
-        }
-        static TRANSITIONS: [d::table::Text; 8] = [
-            "",
-            "b1",
-            "",
-            "b2",
-            "",
-            "b3",
-            "",
-            "b4",
-        ];
-        static TRANSITION_NUMBERS: [d::table::Number; 12] = [
-            1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32,
-        ];
-        static ENDS: [d::table::End; 8] = [
-            0usize, 1usize, 1usize, 2usize, 2usize, 3usize, 3usize, 0usize,
-        ];
-        d::Description {
-            name: "Line24V",
-            dialect: d::Dialect::Grafcet,
-            partials: &[d::Partial::new("")],
-            macros: &[],
-            steps: &d::table::steps::<4>(&STEPS, &STEP_NUMBERS, Actions::ALL, &[]),
-            transitions: &d::table::transitions::<
-                4,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &[]),
-            lets: &[],
-        }
-    };
+    pub const CHART: ::grafcet::__private::description::Description<'static> = ::grafcet::__private::description::table::Described::<
+        Line24V,
+        4,
+        0,
+        8,
+        1,
+        0,
+        4,
+        4,
+        0,
+    >::grafcet();
+}
+impl ::grafcet::__private::description::table::Tables for Line24V {
+    const TEXTS: &'static [&'static ::grafcet::__private::str] = &[
+        "",
+        "Line24V",
+        "N",
+        "R",
+        "S",
+        "S1",
+        "S2",
+        "S3",
+        "S4",
+        "b1",
+        "b2",
+        "b3",
+        "b4",
+        "b5",
+        "q1",
+        "q2",
+        "q3",
+    ];
+    const NUMBERS: &'static [::grafcet::__private::u8] = b"\x02\0\0\x0E\x04\0\0\x0F\x02\0\r\x10\x03\0\0\x0F\0\x01\x01\x02\x02\x03\x03\0\x01\0\0\0\x05\x01\0\0\x01\0\0\x06\0\0\0\x01\0\0\x07\0\0\0\x01\0\0\x08\0\0\0\x01\0\0\0\t\x01\x01\0\0\0\n\x01\x01\0\0\0\x0B\x01\x01\0\0\0\x0C\x01\x01\0\0";
 }
 impl ::grafcet::__private::ActiveSteps for Line24VStep {
     fn is_active_at(
         &self,
         step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Line24V as ::grafcet::__private::Chart>::STEPS.get(step_) {
-            ::grafcet::__private::Option::Some(active_) => active_ == self,
+        match ::grafcet::__private::step_at::<Line24V>(step_) {
+            ::grafcet::__private::Option::Some(active_) => active_ == *self,
             ::grafcet::__private::Option::None => false,
         }
     }

@@ -12,12 +12,13 @@ The situation takes one byte: which of its 2 steps is active.*/
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct Motor {
     situation: __MotorState,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Motor {}
 impl Motor {
     ///A chart `Motor` in its initial situation; its activation belongs to the first cycle.
     #[must_use]
@@ -38,7 +39,6 @@ impl ::grafcet::__private::core::default::Default for Motor {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct MotorInputs {
@@ -49,6 +49,8 @@ pub struct MotorInputs {
     ///Input `over_temp`.
     pub over_temp: ::grafcet::__private::core::primitive::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for MotorInputs {}
 impl MotorInputs {
     /// The default inputs, for constants and statics.
     pub const DEFAULT: Self = Self {
@@ -63,7 +65,6 @@ impl MotorInputs {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct MotorOutputs {
@@ -74,12 +75,13 @@ pub struct MotorOutputs {
     ///Output `red`.
     pub red: ::grafcet::__private::core::primitive::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for MotorOutputs {}
 ///The names of the steps of [`Motor`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -90,6 +92,8 @@ pub enum MotorStep {
     ///Step `On`.
     On,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for MotorStep {}
 impl MotorStep {
     /// The name as it is written.
     #[must_use]
@@ -122,7 +126,6 @@ impl ::grafcet::__private::core::fmt::Display for MotorStep {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -133,6 +136,8 @@ pub enum MotorTransition {
     ///`On -[off || over_temp]-> Off`
     OnToOff,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for MotorTransition {}
 impl MotorTransition {
     /// The name as it is written.
     #[must_use]
@@ -163,8 +168,7 @@ impl ::grafcet::__private::core::fmt::Display for MotorTransition {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 enum __MotorState {
@@ -172,6 +176,8 @@ enum __MotorState {
     On,
     INIT,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __MotorState {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __MotorState {
     fn fmt(
@@ -332,60 +338,40 @@ impl ::grafcet::__private::Chart for Motor {
 }
 impl Motor {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
-    pub const CHART: ::grafcet::__private::description::Description<'static> = {
-        use ::grafcet::__private::description as d;
-        static STEPS: [d::table::Text; 2] = ["Off", "On"];
-        static STEP_NUMBERS: [d::table::Number; 10] = [
-            0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32,
-        ];
-        static ACTIONS: [d::table::Text; 12] = [
-            "N",
-            "",
-            "",
-            "red",
-            "N",
-            "",
-            "",
-            "relay",
-            "N",
-            "",
-            "",
-            "green",
-        ];
-        struct Actions;
-        impl Actions {
-            const ALL: &'static [d::Action<'static>] = &d::table::actions::<3>(&ACTIONS);
-        }
-        static TRANSITIONS: [d::table::Text; 4] = [
-            "",
-            "on && !over_temp",
-            "",
-            "off || over_temp",
-        ];
-        static TRANSITION_NUMBERS: [d::table::Number; 6] = [
-            1u32, 1u32, 0u32, 1u32, 1u32, 0u32,
-        ];
-        static ENDS: [d::table::End; 4] = [0usize, 1usize, 1usize, 0usize];
-        d::Description {
-            name: "Motor",
-            dialect: d::Dialect::Sfc,
-            partials: &[d::Partial::new("")],
-            macros: &[],
-            steps: &d::table::steps::<2>(&STEPS, &STEP_NUMBERS, Actions::ALL, &[]),
-            transitions: &d::table::transitions::<
-                2,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &[]),
-            lets: &[],
-        }
-    };
+    pub const CHART: ::grafcet::__private::description::Description<'static> = ::grafcet::__private::description::table::Described::<
+        Motor,
+        3,
+        0,
+        4,
+        1,
+        0,
+        2,
+        2,
+        0,
+    >::sfc();
+}
+impl ::grafcet::__private::description::table::Tables for Motor {
+    const TEXTS: &'static [&'static ::grafcet::__private::str] = &[
+        "",
+        "Motor",
+        "N",
+        "Off",
+        "On",
+        "green",
+        "off || over_temp",
+        "on && !over_temp",
+        "red",
+        "relay",
+    ];
+    const NUMBERS: &'static [::grafcet::__private::u8] = b"\x02\0\0\x08\x02\0\0\t\x02\0\0\x05\0\x01\x01\0\x01\0\0\0\x03\x01\0\0\x01\0\0\x04\0\0\0\x02\0\0\0\x07\x01\x01\0\0\0\x06\x01\x01\0\0";
 }
 impl ::grafcet::__private::ActiveSteps for MotorStep {
     fn is_active_at(
         &self,
         step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Motor as ::grafcet::__private::Chart>::STEPS.get(step_) {
-            ::grafcet::__private::Option::Some(active_) => active_ == self,
+        match ::grafcet::__private::step_at::<Motor>(step_) {
+            ::grafcet::__private::Option::Some(active_) => active_ == *self,
             ::grafcet::__private::Option::None => false,
         }
     }

@@ -12,14 +12,15 @@ The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps 
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct Stations {
     situation: [::grafcet::__private::u8; 1usize],
     motor: ::grafcet::__private::core::primitive::bool,
     since_wait: ::grafcet::__private::Ticks,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for Stations {}
 impl Stations {
     ///A chart `Stations` in its initial situation; its activation belongs to the first cycle.
     #[must_use]
@@ -42,7 +43,6 @@ impl ::grafcet::__private::core::default::Default for Stations {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct StationsInputs {
@@ -53,6 +53,8 @@ pub struct StationsInputs {
     ///Input `tested`.
     pub tested: ::grafcet::__private::core::primitive::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for StationsInputs {}
 impl StationsInputs {
     /// The default inputs, for constants and statics.
     pub const DEFAULT: Self = Self {
@@ -67,7 +69,6 @@ impl StationsInputs {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
 pub struct StationsOutputs {
@@ -78,12 +79,13 @@ pub struct StationsOutputs {
     ///Output `motor`.
     pub motor: ::grafcet::__private::core::primitive::bool,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for StationsOutputs {}
 ///The names of the steps of [`Stations`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -102,6 +104,8 @@ pub enum StationsStep {
     ///Step `Out`.
     Out,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for StationsStep {}
 impl StationsStep {
     /// The name as it is written.
     #[must_use]
@@ -134,7 +138,6 @@ impl ::grafcet::__private::core::fmt::Display for StationsStep {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash
@@ -151,6 +154,8 @@ pub enum StationsTransition {
     ///`Out -[2s/Out]-> Wait`
     OutToWait,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for StationsTransition {}
 impl StationsTransition {
     /// The name as it is written.
     #[must_use]
@@ -187,8 +192,7 @@ impl ::grafcet::__private::core::fmt::Display for StationsTransition {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 enum __StationsRegion0 {
@@ -198,6 +202,8 @@ enum __StationsRegion0 {
     Out,
     INIT,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __StationsRegion0 {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __StationsRegion0 {
     fn fmt(
@@ -215,8 +221,7 @@ impl ::grafcet::__private::core::fmt::Debug for __StationsRegion0 {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 #[doc(hidden)]
 enum __StationsRegion1 {
@@ -224,6 +229,8 @@ enum __StationsRegion1 {
     Tested,
     NONE,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for __StationsRegion1 {}
 #[automatically_derived]
 impl ::grafcet::__private::core::fmt::Debug for __StationsRegion1 {
     fn fmt(
@@ -263,12 +270,13 @@ impl Stations {
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq
+    ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct StationsSituation {
     steps: [::grafcet::__private::u8; 1usize],
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::cmp::Eq for StationsSituation {}
 impl StationsSituation {
     /// Whether the step is active in this situation.
     #[must_use]
@@ -628,83 +636,49 @@ impl ::grafcet::__private::Chart for Stations {
 }
 impl Stations {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
-    pub const CHART: ::grafcet::__private::description::Description<'static> = {
-        use ::grafcet::__private::description as d;
-        static STEPS: [d::table::Text; 6] = [
-            "Wait",
-            "Drill",
-            "Drilled",
-            "Test",
-            "Tested",
-            "Out",
-        ];
-        static STEP_NUMBERS: [d::table::Number; 30] = [
-            0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32, 0u32, 0u32, 0u32,
-            0u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 0u32, 0u32, 0u32,
-            0u32, 0u32, 1u32, 0u32,
-        ];
-        static ACTIONS: [d::table::Text; 16] = [
-            "S",
-            "",
-            "",
-            "motor",
-            "N",
-            "",
-            "",
-            "drill",
-            "N",
-            "",
-            "",
-            "test",
-            "R",
-            "",
-            "",
-            "motor",
-        ];
-        struct Actions;
-        impl Actions {
-            const ALL: &'static [d::Action<'static>] = &d::table::actions::<4>(&ACTIONS);
-        }
-        static TRANSITIONS: [d::table::Text; 10] = [
-            "",
-            "part",
-            "",
-            "drilled",
-            "",
-            "tested",
-            "",
-            "!part",
-            "",
-            "2s/Out",
-        ];
-        static TRANSITION_NUMBERS: [d::table::Number; 15] = [
-            1u32, 2u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 2u32, 1u32, 0u32, 1u32,
-            1u32, 0u32,
-        ];
-        static ENDS: [d::table::End; 12] = [
-            0usize, 1usize, 3usize, 1usize, 2usize, 3usize, 4usize, 2usize, 4usize,
-            5usize, 5usize, 0usize,
-        ];
-        d::Description {
-            name: "Stations",
-            dialect: d::Dialect::Grafcet,
-            partials: &[d::Partial::new("")],
-            macros: &[],
-            steps: &d::table::steps::<6>(&STEPS, &STEP_NUMBERS, Actions::ALL, &[]),
-            transitions: &d::table::transitions::<
-                5,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &[]),
-            lets: &[],
-        }
-    };
+    pub const CHART: ::grafcet::__private::description::Description<'static> = ::grafcet::__private::description::table::Described::<
+        Stations,
+        4,
+        0,
+        12,
+        1,
+        0,
+        6,
+        5,
+        0,
+    >::grafcet();
+}
+impl ::grafcet::__private::description::table::Tables for Stations {
+    const TEXTS: &'static [&'static ::grafcet::__private::str] = &[
+        "",
+        "!part",
+        "2s/Out",
+        "Drill",
+        "Drilled",
+        "N",
+        "Out",
+        "R",
+        "S",
+        "Stations",
+        "Test",
+        "Tested",
+        "Wait",
+        "drill",
+        "drilled",
+        "motor",
+        "part",
+        "test",
+        "tested",
+    ];
+    const NUMBERS: &'static [::grafcet::__private::u8] = b"\x08\0\0\x0F\x05\0\0\r\x05\0\0\x11\x07\0\0\x0F\0\x01\x03\x01\x02\x03\x04\x02\x04\x05\x05\0\t\0\0\0\x0C\x01\0\0\0\0\0\x03\0\0\0\x02\0\0\x04\0\0\0\0\0\0\n\0\0\0\x01\0\0\x0B\0\0\0\0\0\0\x06\0\0\0\x01\0\0\0\x10\x01\x02\0\0\0\x0E\x01\x01\0\0\0\x12\x01\x01\0\0\0\x01\x02\x01\0\0\0\x02\x01\x01\0\0";
 }
 impl ::grafcet::__private::ActiveSteps for StationsSituation {
     fn is_active_at(
         &self,
         step_: ::grafcet::__private::usize,
     ) -> ::grafcet::__private::bool {
-        match <Stations as ::grafcet::__private::Chart>::STEPS.get(step_) {
-            ::grafcet::__private::Option::Some(active_) => self.is_active(*active_),
+        match ::grafcet::__private::step_at::<Stations>(step_) {
+            ::grafcet::__private::Option::Some(active_) => self.is_active(active_),
             ::grafcet::__private::Option::None => false,
         }
     }

@@ -309,15 +309,18 @@ fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
         let active = cx.is_one_of(&quote!(self.#field), &states, None);
         quote!(#step => #active,)
     });
-    let derives = derives::of_states().users(model, &["Default"]);
+    let derives = derives::of_states();
+    let (written_out, derives) = (derives.written_out(name, p), derives.users(model, &["Default"]));
     let doc = format!("A situation of [`{}`]: which steps are active.", model.name);
     let item = place::item("struct", name, &model.name, &quote!(#fields));
     let asked = names::parameter("step", &quote!(#step));
     Some(quote! {
         #[doc = #doc]
-        #[derive(#p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq)]
+        #[derive(#p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq)]
         #derives
         #vis #item
+
+        #written_out
 
         impl #name {
             /// Whether the step is active in this situation.

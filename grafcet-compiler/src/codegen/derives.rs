@@ -66,7 +66,8 @@ impl Derives {
 
     /// The attributes, with what the chart derives beside. A type has its `Default` by itself, or none.
     pub(super) fn attributes(&self, model: &Model, p: &TokenStream) -> TokenStream {
-        let derived = self.names.iter().filter(|name| self.foreign.is_empty() || !["Clone", "Copy"].contains(name));
+        let written: &[&str] = if self.foreign.is_empty() { &["Eq"] } else { &["Clone", "Copy", "Eq"] };
+        let derived = self.names.iter().filter(|name| !written.contains(name));
         let own = derived.map(|name| {
             let (module, name) = (format_ident!("{}", module(name)), format_ident!("{name}"));
             quote!(#p::core::#module::#name)
@@ -78,11 +79,11 @@ impl Derives {
     }
 
     /// What is not derived, for the type `name`.
-    pub(super) fn written_out(&self, name: &Ident, p: &TokenStream) -> Option<TokenStream> {
+    pub(super) fn written_out(&self, name: &Ident, p: &TokenStream) -> TokenStream {
         let foreign = &self.foreign;
         // A condition without anything that can vary is checked on the spot, one over a lifetime is not.
         let copy = quote!(where #(for<'chart> #foreign: #p::core::marker::Copy),*);
-        (!foreign.is_empty()).then(|| {
+        let copied = (!foreign.is_empty()).then(|| {
             quote! {
                 impl #p::core::marker::Copy for #name #copy {}
                 // As the derived one, which lints leave alone.
@@ -93,7 +94,15 @@ impl Derives {
                     }
                 }
             }
-        })
+        });
+        // A derived one has a function that asks of each field once more what `of` knows of all.
+        let equal = self.names.contains(&"Eq").then(|| {
+            quote! {
+                #[automatically_derived]
+                impl #p::core::cmp::Eq for #name {}
+            }
+        });
+        quote!(#copied #equal)
     }
 
     /// What the chart derives beside these and others that the type has already.

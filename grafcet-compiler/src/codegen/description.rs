@@ -1,13 +1,14 @@
 //! `Motor::CHART`, and the drawing in the documentation of `Motor`.
 
-use grafcet_core::description::{Action, Any, Description, Dialect, Let, MacroStep, Partial, Step, Transition, table};
-use proc_macro2::{Literal, TokenStream};
+use grafcet_core::description::{Action, Description, Dialect, MacroStep, Step, Transition, table};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
 use super::Cx;
 use crate::describe::with_description;
 use crate::list::List;
 use crate::place::quote;
+use crate::sorted::sort_unstable;
 
 /// The chart as it is drawn, in the documentation alone: editors that show the source's comments show no picture.
 pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {
@@ -21,26 +22,28 @@ pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {
 
 /// The constant `CHART` of the chart, and the numbers of the active steps.
 ///
-/// The constants of an `impl` are computed where they are used, and statics that are flat tables are quickly checked: otherwise the
-/// description of a long chart would take half the time of a check.
+/// The constants of an `impl` are computed where they are used, and two flat tables are quickly checked: otherwise the description of a long chart would
+/// take half the time of a check.
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
-    let described = with_description(model, description);
+    let Tables { texts, numbers, described } = with_description(model, |description| tables(description, chart));
     let situation = if cx.plan.one_step { step } else { &names.situation };
-    let active = if cx.plan.one_step { quote!(active_ == self) } else { quote!(self.is_active(*active_)) };
+    let active = if cx.plan.one_step { quote!(active_ == *self) } else { quote!(self.is_active(active_)) };
     quote! {
         impl #chart {
             /// What the chart looks like: its steps, transitions and actions as they stand in the source.
-            #vis const CHART: #p::description::Description<'static> = {
-                use #p::description as d;
-                #described
-            };
+            #vis const CHART: #p::description::Description<'static> = #p::description::table::#described;
+        }
+
+        impl #p::description::table::Tables for #chart {
+            const TEXTS: &'static [&'static #p::str] = &[#texts];
+            const NUMBERS: &'static [#p::u8] = #numbers;
         }
 
         impl #p::ActiveSteps for #situation {
             fn is_active_at(&self, step_: #p::usize) -> #p::bool {
-                match <#chart as #p::Chart>::STEPS.get(step_) {
+                match #p::step_at::<#chart>(step_) {
                     #p::Option::Some(active_) => #active,
                     #p::Option::None => false,
                 }
@@ -49,152 +52,156 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     }
 }
 
-fn description(chart: &Description<'_>) -> TokenStream {
+/// What `grafcet_core::description::table` makes a description of.
+struct Tables {
+    texts: TokenStream,
+    numbers: Literal,
+    /// The function that reads them.
+    described: TokenStream,
+}
+
+/// In the order in which they are read.
+fn tables(chart: &Description<'_>, ty: &Ident) -> Tables {
     let Description { name, dialect, partials, macros, steps, transitions, lets } = chart;
-    let dialect = match dialect {
-        Dialect::Sfc => quote!(d::Dialect::Sfc),
-        Dialect::Grafcet => quote!(d::Dialect::Grafcet),
-    };
-    let (partials, macros) = (partials.iter().map(partial), macros.iter().map(macro_step));
-    let forces = or_empty(!steps.iter().all(|step| step.forces.is_empty()), "FORCES");
-    let times = times(steps);
-    let (step_count, steps) = (number(steps.len()), step_tables(steps));
-    let (tables, transitions) = (transition_tables(transitions), all_transitions(transitions));
-    let lets = lets.iter().map(named);
-    let all_steps = quote!(d::table::steps::<#step_count>(&STEPS, &STEP_NUMBERS, Actions::ALL, #forces));
-    let all_steps =
-        if let Some(times) = times { quote!(d::table::with_times(#all_steps, &[#times])) } else { all_steps };
-    quote! {
-        #steps
-        #tables
-        d::Description {
-            name: #name,
-            dialect: #dialect,
-            partials: &[#(#partials),*],
-            macros: &[#(#macros),*],
-            steps: &#all_steps,
-            transitions: &#transitions,
-            lets: &[#(#lets),*],
-        }
-    }
-}
-
-/// Out of the tables; what an `any` leaves, of which a chart has few, stands beside them.
-fn all_transitions(transitions: &[Transition<'_>]) -> TokenStream {
-    let count = number(transitions.len());
-    let named = or_empty(!transitions.is_empty(), "TRANSITIONS");
-    let clearing = or_empty(!transitions.iter().all(|transition| transition.clearing.is_empty()), "CLEARING");
-    let all = quote!(d::table::transitions::<#count>(#named, &TRANSITION_NUMBERS, &ENDS, #clearing));
-    let anys = transitions.iter().enumerate().filter_map(|(id, transition)| {
-        let (id, Any { steps, except }) = (number(id), transition.any?);
-        let steps = steps.iter().copied().map(number);
-        Some(quote!((#id, d::Any { steps: &[#(#steps),*], except: &[#(#except),*] })))
-    });
-    let anys: Vec<TokenStream> = anys.list();
-    if anys.is_empty() { all } else { quote!(d::table::with_any(#all, &[#(#anys),*])) }
-}
-
-/// Of the steps that have one, the time after which they are late.
-fn times(steps: &[Step<'_>]) -> Option<TokenStream> {
-    let mut times = TokenStream::new();
-    for (at, step) in steps.iter().enumerate().filter(|(_, step)| !step.within.is_empty()) {
-        let (at, within) = (number(at), step.within);
-        times.extend(quote!((#at, #within),));
-    }
-    (!times.is_empty()).then_some(times)
-}
-
-fn named(Let { name, text, doc }: &Let<'_>) -> TokenStream {
-    let documented = documented(doc);
-    quote!(d::Let::new(#name, #text) #documented)
-}
-
-fn partial(Partial { name, enclosed_by, doc }: &Partial<'_>) -> TokenStream {
-    let enclosed = enclosed_by.map(number).map(|step| quote!(.enclosed_by(#step)));
-    let documented = documented(doc);
-    quote!(d::Partial::new(#name) #enclosed #documented)
-}
-
-fn macro_step(MacroStep { name, outer, entry, exit, doc }: &MacroStep<'_>) -> TokenStream {
-    let (inside, entry, exit, documented) = (inside(*outer), number(*entry), number(*exit), documented(doc));
-    quote!(d::MacroStep::new(#name, #entry, #exit) #inside #documented)
-}
-
-fn documented(doc: &str) -> Option<TokenStream> {
-    (!doc.is_empty()).then(|| quote!(.documented(#doc)))
-}
-
-fn step_tables(steps: &[Step<'_>]) -> TokenStream {
-    let row = |step: &Step<'_>| {
-        let flags = if step.initial { table::INITIAL } else { 0 } | if step.linked { table::LINKED } else { 0 };
-        let expansion = short(step.expansion.map_or(0, |id| id + 1));
-        [
-            short(step.partial),
-            Literal::u32_suffixed(flags),
-            expansion,
-            short(step.actions.len()),
-            short(step.forces.len()),
-        ]
-    };
-    let names = texts("STEPS", steps.iter().map(|step| step.name));
-    let numbers = numbers("STEP_NUMBERS", &quote!(Number), steps.iter().flat(row));
-    let forces = texts("FORCES", steps.iter().flat(|step| step.forces).copied());
     let actions: Vec<&Action<'_>> = steps.iter().flat(|step| step.actions).list();
-    let (count, written) = (number(actions.len()), or_empty(!actions.is_empty(), "ACTIONS"));
-    let parts = actions.iter().flat(|a| [a.qualifier, a.time, a.condition, a.text]);
-    let actions = texts("ACTIONS", parts);
-    quote! {
-        #names
-        #numbers
-        #forces
-        #actions
-        struct Actions;
-        impl Actions {
-            const ALL: &'static [d::Action<'static>] = &d::table::actions::<#count>(#written);
+    let words = steps.iter().flat(|step| step.forces).and(transitions.iter().flat(words)).list();
+    let ends = transitions.iter().flat(ends).list();
+    let mut stream = Stream::default();
+    for action in &actions {
+        stream.texts(&[action.qualifier, action.time, action.condition, action.text]);
+    }
+    for word in &words {
+        stream.texts(&[word]);
+    }
+    for end in &ends {
+        stream.numbers(&[**end]);
+    }
+    stream.texts(&[name]);
+    for partial in *partials {
+        stream.texts(&[partial.name]);
+        stream.numbers(&[or_none(partial.enclosed_by)]);
+        stream.texts(&[partial.doc]);
+    }
+    for MacroStep { name, outer, entry, exit, doc } in *macros {
+        stream.texts(&[name]);
+        stream.numbers(&[or_none(*outer), *entry, *exit]);
+        stream.texts(&[doc]);
+    }
+    for one in *steps {
+        step(&mut stream, one);
+    }
+    for one in *transitions {
+        transition(&mut stream, one);
+    }
+    for named in *lets {
+        stream.texts(&[named.name, named.text, named.doc]);
+    }
+    let counts = [
+        actions.len(),
+        words.len(),
+        ends.len(),
+        partials.len(),
+        macros.len(),
+        steps.len(),
+        transitions.len(),
+        lets.len(),
+    ];
+    let dialect = match dialect {
+        Dialect::Sfc => "sfc",
+        Dialect::Grafcet => "grafcet",
+    };
+    let (dialect, counts) = (format_ident!("{dialect}"), counts.iter().map(|count| Literal::usize_unsuffixed(*count)));
+    let (texts, numbers) = stream.tables();
+    Tables {
+        texts: quote!(#(#texts),*),
+        numbers: Literal::byte_string(&numbers),
+        described: quote!(Described::<#ty, #(#counts),*>::#dialect()),
+    }
+}
+
+/// The texts of which a transition has lists.
+fn words<'t>(transition: &Transition<'t>) -> impl Iterator<Item = &'t &'t str> {
+    transition.clearing.iter().and(transition.any.iter().flat(|any| any.except))
+}
+
+/// The steps of which it has lists.
+fn ends<'t>(transition: &Transition<'t>) -> impl Iterator<Item = &'t usize> {
+    transition.sources.iter().and(transition.targets).and(transition.any.iter().flat(|any| any.steps))
+}
+
+fn step<'t>(stream: &mut Stream<'t>, step: &Step<'t>) {
+    let flags = if step.initial { table::INITIAL } else { 0 } | if step.linked { table::LINKED } else { 0 };
+    stream.texts(&[step.name]);
+    stream.numbers(&[usize::from(flags), step.partial, or_none(step.expansion), step.actions.len()]);
+    stream.texts(&[step.within]);
+    stream.numbers(&[step.forces.len()]);
+}
+
+fn transition<'t>(stream: &mut Stream<'t>, transition: &Transition<'t>) {
+    let Transition { name, sources, any, targets, condition, clearing } = transition;
+    stream.texts(&[name, condition]);
+    stream.numbers(&[sources.len(), targets.len(), clearing.len()]);
+    match any {
+        None => stream.numbers(&[0]),
+        Some(any) => stream.numbers(&[1, any.steps.len(), any.except.len()]),
+    }
+}
+
+/// One more than a number that is there.
+fn or_none(number: Option<usize>) -> usize {
+    number.map_or(0, |number| number + 1)
+}
+
+/// What is written one after the other, before the texts have numbers.
+#[derive(Default)]
+struct Stream<'t>(Vec<Entry<'t>>);
+
+enum Entry<'t> {
+    Text(&'t str),
+    Number(usize),
+}
+
+impl<'t> Stream<'t> {
+    fn texts(&mut self, texts: &[&'t str]) {
+        for text in texts {
+            self.0.push(Entry::Text(text));
         }
     }
-}
 
-fn transition_tables(transitions: &[Transition<'_>]) -> TokenStream {
-    let row = |t: &Transition<'_>| [t.sources.len(), t.targets.len(), t.clearing.len()].map(short);
-    let ends = transitions.iter().flat(|t| t.sources.iter().and(t.targets));
-    let named = texts("TRANSITIONS", transitions.iter().flat(|t| [t.name, t.condition]));
-    let rows = numbers("TRANSITION_NUMBERS", &quote!(Number), transitions.iter().flat(row));
-    let ends = numbers("ENDS", &quote!(End), ends.map(|id| Literal::usize_suffixed(*id)));
-    let clearing = texts("CLEARING", transitions.iter().flat(|t| t.clearing).copied());
-    quote!(#named #rows #ends #clearing)
-}
-
-/// A table that many charts do without: it would cost rustc as much as any other item.
-fn or_empty(is_there: bool, name: &str) -> TokenStream {
-    let name = format_ident!("{name}");
-    if is_there { quote!(&#name) } else { quote!(&[]) }
-}
-
-fn texts<'t>(name: &str, texts: impl Iterator<Item = &'t str>) -> TokenStream {
-    let texts: Vec<&str> = texts.list();
-    if texts.is_empty() {
-        return TokenStream::new();
+    fn numbers(&mut self, numbers: &[usize]) {
+        for number in numbers {
+            self.0.push(Entry::Number(*number));
+        }
     }
-    let (name, count) = (format_ident!("{name}"), number(texts.len()));
-    quote!(static #name: [d::table::Text; #count] = [#(#texts),*];)
+
+    /// Each text once, in order, and all numbers as bytes.
+    fn tables(&self) -> (Vec<&'t str>, Vec<u8>) {
+        let mut texts = Vec::new();
+        for entry in &self.0 {
+            if let Entry::Text(text) = entry {
+                texts.push(*text);
+            }
+        }
+        sort_unstable(&mut texts);
+        texts.dedup();
+        let mut bytes = Vec::new();
+        for entry in &self.0 {
+            match entry {
+                Entry::Text(text) => put(&mut bytes, texts.partition_point(|other| other < text)),
+                Entry::Number(number) => put(&mut bytes, *number),
+            }
+        }
+        (texts, bytes)
+    }
 }
 
-fn numbers(name: &str, ty: &TokenStream, numbers: impl Iterator<Item = Literal>) -> TokenStream {
-    let numbers: Vec<Literal> = numbers.list();
-    let (name, count) = (format_ident!("{name}"), number(numbers.len()));
-    quote!(static #name: [d::table::#ty; #count] = [#(#numbers),*];)
-}
-
-/// A number of a table.
-fn short(value: usize) -> Literal {
-    Literal::u32_suffixed(u32::try_from(value).unwrap_or(u32::MAX))
-}
-
-fn number(id: usize) -> Literal {
-    Literal::usize_unsuffixed(id)
-}
-
-fn inside(expansion: Option<usize>) -> Option<TokenStream> {
-    expansion.map(number).map(|id| quote!(.inside(#id)))
+/// Seven bits a byte, the lowest first; all but the last one have the eighth bit set.
+fn put(bytes: &mut Vec<u8>, number: usize) {
+    let [low, ..] = number.to_le_bytes();
+    if number < 0x80 {
+        bytes.push(low);
+    } else {
+        bytes.push(low | 0x80);
+        put(bytes, number >> 7);
+    }
 }

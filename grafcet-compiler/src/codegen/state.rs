@@ -35,8 +35,9 @@ pub(super) fn variants(cx: &Cx<'_>, states: &StateEnum) -> Vec<Ident> {
 /// The type and what belongs to it.
 pub(super) fn region_enum(cx: &Cx<'_>, states: &StateEnum) -> TokenStream {
     let p = &cx.p;
-    let derives = derives::of_states().attributes(cx.model, p);
     let name = cx.names.region(states.region, cx.plan);
+    let derives = derives::of_states();
+    let (written_out, derives) = (derives.written_out(&name, p), derives.attributes(cx.model, p));
     let variants = variants(cx, states);
     let marked = states.marked.then(|| marked(cx, &variants));
     let texts = variants.iter().map(|variant| variant.to_string().trim_start_matches("r#").to_owned()).list();
@@ -46,6 +47,8 @@ pub(super) fn region_enum(cx: &Cx<'_>, states: &StateEnum) -> TokenStream {
         #[doc(hidden)]
         #wide
         enum #name { #(#variants,)* }
+
+        #written_out
 
         #[automatically_derived]
         impl #p::core::fmt::Debug for #name {
@@ -63,7 +66,8 @@ pub(super) fn region_enum(cx: &Cx<'_>, states: &StateEnum) -> TokenStream {
 fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
     let p = &cx.p;
     let (name, state) = (cx.names.marked(cx.plan), cx.names.region(0, cx.plan));
-    let derives = derives::of_states().and("Debug").attributes(cx.model, p);
+    let derives = derives::of_states().and("Debug");
+    let (written_out, derives) = (derives.written_out(&name, p), derives.attributes(cx.model, p));
     let mark = variants.len().next_power_of_two();
     let (number, literal): (_, fn(usize) -> Literal) = match mark {
         0..=128 => (quote!(#p::u8), |n| Literal::u8_suffixed(u8::try_from(n).unwrap_or(u8::MAX))),
@@ -76,6 +80,8 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
         #derives
         #[doc(hidden)]
         struct #name(#number);
+
+        #written_out
 
         impl #name {
             const fn of(state_: #state) -> Self {

@@ -91,12 +91,15 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
 fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let list = |name: &Ident, variants: Vec<TokenStream>| {
         let vis = &model.vis;
-        let derives = derives::of_names().and("Debug").attributes(model, p);
+        let derives = derives::of_names().and("Debug");
+        let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
         let item = place::item("enum", name, &model.name, &quote!(#(#variants,)*));
         quote! {
             #derives
             #[allow(missing_docs, dead_code, non_camel_case_types, clippy::all, clippy::pedantic)]
             #vis #item
+
+            #written_out
 
             #[allow(missing_docs, dead_code)]
             impl #name { #vis const fn name(self) -> &'static #p::str { "" } }

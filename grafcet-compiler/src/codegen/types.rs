@@ -153,7 +153,8 @@ fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> To
     });
     let unusual = unusual.then(|| quote!(#[allow(non_camel_case_types)]));
     let (vis, levels) = (&cx.model.vis, levels(cx.model));
-    let derives = derives::of_names().attributes(cx.model, &cx.p);
+    let derives = derives::of_names();
+    let (written_out, derives) = (derives.written_out(name, &cx.p), derives.attributes(cx.model, &cx.p));
     let item = place::item("enum", name, &cx.model.name, &quote!(#variants));
     quote! {
         #[doc = #doc]
@@ -161,6 +162,8 @@ fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> To
         #unusual
         #levels
         #vis #item
+
+        #written_out
     }
 }
 

@@ -33,7 +33,8 @@ impl Program<'_> {
     /// The region whose place tells whether a step is active, and in which of its states the step is.
     #[must_use]
     pub fn home(&self, step: StepId) -> (usize, Vec<StepId>) {
-        let own = self.regions.iter().position(|steps| steps.contains(&step)).unwrap_or_default();
+        // In order of declaration, each.
+        let own = self.regions.iter().position(|steps| steps.binary_search(&step).is_ok()).unwrap_or_default();
         let Some(united) = self.united.iter().find(|united| united.regions.contains(&own)) else {
             return (own, vec![step]);
         };
