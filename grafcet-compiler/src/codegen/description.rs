@@ -205,3 +205,18 @@ fn put(bytes: &mut Vec<u8>, number: usize) {
         put(bytes, number >> 7);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Stream, or_none};
+
+    #[test]
+    fn each_text_is_there_once_and_a_number_takes_as_many_bytes_as_it_needs() {
+        let mut stream = Stream::default();
+        stream.texts(&["b", "", "a", "b"]);
+        stream.numbers(&[0, 127, 128, 16383, 16384, or_none(Some(0)), or_none(None)]);
+        let (texts, bytes) = stream.tables();
+        assert_eq!(texts, ["", "a", "b"]);
+        assert_eq!(bytes, [2, 0, 1, 2, 0, 127, 0x80, 1, 0xff, 0x7f, 0x80, 0x80, 1, 1, 0]);
+    }
+}
