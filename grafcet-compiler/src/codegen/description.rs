@@ -10,24 +10,34 @@ use crate::list::List;
 use crate::place::quote;
 use crate::sorted::sort_unstable;
 
+/// What is said of the chart as a whole.
+pub(super) struct Said {
+    /// The attribute of the chart's type with the drawing.
+    pub(super) drawing: TokenStream,
+    /// The constant `CHART` of the chart, and the numbers of the active steps.
+    pub(super) items: TokenStream,
+}
+
+/// Both are made of one description, as making it takes as long as drawing it.
+pub(super) fn all(cx: &Cx<'_>) -> Said {
+    with_description(cx.model, |description| Said { drawing: drawing(description), items: items(cx, description) })
+}
+
 /// The chart as it is drawn, in the documentation alone: editors that show the source's comments show no picture.
-pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {
-    let (svg, large) =
-        with_description(cx.model, |chart| (grafcet_draw::svg_inline(chart), grafcet_draw::is_large(chart)));
+fn drawing(chart: &Description<'_>) -> TokenStream {
+    let (svg, large) = (grafcet_draw::svg_inline(chart), grafcet_draw::is_large(chart));
     let what = if large { "An overview of the chart, which is too large to be drawn here:\n\n" } else { "" };
     // Markdown passes on what stands between the tags of a block, up to the first blank line.
     let doc = format!("\n\n{what}<div style=\"overflow-x:auto\">{svg}</div>\n");
     quote!(#[cfg_attr(doc, doc = #doc)])
 }
 
-/// The constant `CHART` of the chart, and the numbers of the active steps.
-///
 /// The constants of an `impl` are computed where they are used, and two flat tables are quickly checked: otherwise the description of a long chart would
 /// take half the time of a check.
-pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
+fn items(cx: &Cx<'_>, description: &Description<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
-    let Tables { texts, numbers, described } = with_description(model, |description| tables(description, chart));
+    let Tables { texts, numbers, described } = tables(description, chart);
     let situation = if cx.plan.one_step { step } else { &names.situation };
     let active = if cx.plan.one_step { quote!(active_ == *self) } else { quote!(self.is_active(active_)) };
     quote! {

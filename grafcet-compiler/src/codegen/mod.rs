@@ -110,10 +110,10 @@ impl<'m> Cx<'m> {
 fn items(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let types = types::all(cx);
     let recipe = recipe::all(cx);
-    let (states, state) = (&machine.types, state::chart(cx, machine));
+    let description::Said { drawing, items: description } = description::all(cx);
+    let (states, state) = (&machine.types, state::chart(cx, machine, &drawing));
     let chart = chart_impl::inherent(cx, machine);
     let uniform = chart_impl::uniform(cx);
-    let description = description::all(cx);
     let mentions = editor::mentions(cx.model, &cx.names, &cx.p);
     let variants = variants::all(cx);
     let vars = outside::vars(cx, machine);

@@ -127,7 +127,7 @@ fn from_number(state: &Ident, variants: &[Ident], literal: &impl Fn(usize) -> Li
 }
 
 /// The struct, and how it is made.
-pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
+pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>, drawing: &TokenStream) -> TokenStream {
     let Cx { model, p, .. } = cx;
     let (vis, name) = (&model.vis, &model.name);
     let docs = types::docs(&model.attrs, &format!("The chart `{name}`."));
@@ -141,7 +141,6 @@ pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));
     let encoding = cx.encoding(machine).map(|text| format!("\n\n{text}"));
     let encoding = encoding.map(|text| quote!(#[doc = #text]));
-    let drawing = super::description::drawing(cx);
     let item = place::item("struct", name, &model.name, &quote!(#(#declared)* #params_field));
     quote! {
         #docs
