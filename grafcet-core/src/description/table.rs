@@ -62,6 +62,7 @@ macro_rules! take {
     }};
 }
 
+// The fields of a struct are read in the order in which they are written here, whatever their order in its declaration.
 impl Reader {
     const fn number(&mut self) -> usize {
         let (mut number, mut shift) = (0, 0);
