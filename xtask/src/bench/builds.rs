@@ -19,6 +19,9 @@ pub(super) const CRATES: [&str; 3] = ["grafcet", "smlang", "statig"];
 /// Each build is done so often, in turns; the shortest counts.
 pub(super) const ROUNDS: usize = 2;
 
+/// How often that crate is edited in a round.
+const EDITS: usize = 4;
+
 /// How many charts stand in the crate of small ones, and of how many steps each is.
 const SMALL: (usize, usize) = (100, 4);
 
@@ -146,13 +149,16 @@ impl Project {
         self.timed_check("0")
     }
 
-    /// The same of small charts after an edit, with all that an earlier check has left.
+    /// The same of small charts after an edit, with all that an earlier check has left; the shortest of several, as it is but seconds.
     fn small(&self) -> Result<f64> {
         let charts = small_charts(self.name);
         self.write(&charts)?;
         self.timed_check("1")?;
-        self.write(&format!("{charts}pub fn edited() {{}}\n"))?;
-        self.timed_check("1")
+        let edited = |edit| {
+            self.write(&format!("{charts}pub fn edited{edit}() {{}}\n"))?;
+            self.timed_check("1")
+        };
+        (0..EDITS).try_fold(f64::MAX, |least, edit| Ok(least.min(edited(edit)?)))
     }
 
     fn timed_check(&self, incremental: &str) -> Result<f64> {
