@@ -1,6 +1,8 @@
 //! What charts look like: the pictures of all charts of the examples and of `tests/good` are drawn anew and compared.
 //!
-//! `cargo xtask bless` records them; look at those that change: [tests/pictures/README.md](pictures/README.md) shows all.
+//! And what a program finds of a chart, `CHART`, is the description from which they are drawn.
+//!
+//! `cargo xtask bless` records the pictures; look at those that change: [tests/pictures/README.md](pictures/README.md) shows all.
 
 mod charts;
 
@@ -160,4 +162,79 @@ fn compare(path: &str, now: &str) {
     }
     let recorded = fs::read_to_string(path).unwrap_or_else(|error| panic!("{path}: {error}; run `cargo xtask bless`"));
     assert_eq!(recorded, now, "{path} is another picture; if that is meant, run `cargo xtask bless`");
+}
+
+/// Compiles a chart, and compares the description that a program finds with that of the model.
+macro_rules! described {
+    ($test:ident, $chart:ident, { $($source:tt)* }) => {
+        #[test]
+        fn $test() {
+            grafcet::grafcet! { $($source)* }
+            let source = stringify!($($source)*).parse().expect("tokens");
+            with_chart(stringify!($chart), source, |chart| assert_eq!($chart::CHART, *chart));
+        }
+    };
+}
+
+described!(a_program_finds_all_of_a_grafcet, Everything, {
+    /// A machine.
+    grafcet Everything {
+        input go, done, stop, ack: bool;
+        output a, b, c, d: bool;
+        var count: u8 = 0;
+        /// Somebody wants it.
+        let wanted = go && !stop;
+
+        /// Who may.
+        partial Modes {
+            initial step Off { force Help {*}; }
+            step On within 10s { c; }
+            step Held { force Work {*}; force Help { Rest }; }
+            Off -[begin: wanted]-> On -[stop]-> Off;
+            On -[done && !stop]-> Held -[ack]-> Off;
+        }
+        partial Work {
+            initial step Idle;
+            step Count within 5s { N a if done; on rising(go) { b = true; } on falling(go) { b = false; } }
+            /// In two strokes.
+            macro step Stroke {
+                entry step Lower { a; }
+                exit step Raise { a; c; }
+                Lower -[done]-> Raise;
+            }
+            step Stopped { P1 { d = true; } P0 { d = false; } }
+            Idle -[go => count = 0]-> Count -[done && count < 9 => count = count + 1]-> Stroke -[!done]-> Idle;
+            any except (Idle, Stopped) -[out: stop => count = 9]-> Stopped -[ack => count = 1]-> Idle;
+        }
+        partial Help {
+            initial step Rest;
+            step Blink { c if blink(1s); }
+            Rest -[2s/Rest]-> Blink -[3s/Blink]-> Rest;
+        }
+    }
+});
+
+described!(a_program_finds_all_of_an_sfc, Plain, {
+    sfc Plain {
+        input go, done: bool;
+        output a, b: bool;
+        initial step Rest;
+        step Left { L 5s a; }
+        step Right { S b; }
+        Rest -[go]-> (Left, Right);
+        (Left, Right) -[done]-> Rest;
+        final step End { R b; }
+        Rest -[!go && done]-> End;
+    }
+});
+
+#[path = "good/packaging_line.rs"]
+mod packaging_line;
+
+/// Its numbers take more than a byte.
+#[test]
+fn a_program_finds_all_of_a_long_chart() {
+    let rust = fs::read_to_string("tests/good/packaging_line.rs").expect("the file");
+    let chart = charts::charts(&rust).into_iter().next().expect("the chart");
+    with_chart("packaging_line", chart, |chart| assert_eq!(packaging_line::PackagingLine::CHART, *chart));
 }
