@@ -38,7 +38,7 @@
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
-//! `share` (what lists have in common, `alike` what only looks different), `search` on `early` (where it ends without another look), `several` and `rounds` also on `parts` (another order, in which those of one region stand together) and `among` (which
+//! `share` (what lists have in common, `alike` what only looks different), `search` on `early` (where it ends without another look), `several` and `rounds` also on `parts` (another order, in which those of one region stand together; `belonging`, where regions only look at each other) and `among` (which
 //! states of a region are possible); all of them on `uses` (reads, writes, sameness), `many` (many arms at once) and `fold` (expressions of which something is known).
 
 mod alike;
@@ -46,6 +46,7 @@ mod among;
 mod arms;
 mod before;
 mod begun;
+mod belonging;
 mod branches;
 mod dead;
 mod decompose;

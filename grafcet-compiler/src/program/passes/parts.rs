@@ -13,7 +13,9 @@
 
 use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Role, Statement};
+use super::belonging::Groups;
 use super::uses::{Effects, each_read, each_written, is_pure, mentions};
+use crate::list::List;
 use crate::sorted::Set;
 
 /// Some statements, and the regions they concern.
@@ -60,8 +62,23 @@ pub(super) fn spread<'m>(
 
 pub(super) fn parts<'m>(places: &[PlaceInfo<'m>], list: Vec<Statement<'m>>) -> Vec<Part<'m>> {
     let regions = regions(places, &list);
-    let keys = keys(places, &list, &regions);
+    let dependent = dependent(places, &list, &regions);
+    let keys = regions.iter().map(|regions| dependent.key(regions)).list();
     cut(places, list, &regions, &keys)
+}
+
+/// The regions whose states statements write.
+pub(super) fn written(places: &[PlaceInfo<'_>], statements: &[Statement<'_>]) -> Set<usize> {
+    let mut regions = Set::new();
+    each_written(statements, &mut |place| regions.extend(region_of(places, place)));
+    regions
+}
+
+pub(super) fn region_of(places: &[PlaceInfo<'_>], place: PlaceId) -> Option<usize> {
+    match places[place.0].role {
+        Role::State(region) => Some(region),
+        _ => None,
+    }
 }
 
 /// By the keys of statements: those of one key stand together as far as that is possible.
@@ -129,40 +146,17 @@ pub(super) fn gathers(statement: &Statement<'_>) -> Option<PlaceId> {
     (first == place && rest.iter().all(others)).then_some(*place)
 }
 
-/// By statement, what it belongs to: regions whose states depend on each other belong together. None, where there are no regions.
-fn keys(places: &[PlaceInfo<'_>], list: &[Statement<'_>], regions: &[Set<usize>]) -> Vec<Option<usize>> {
-    let mut group: Vec<usize> = (0..places.len()).collect();
-    let find = |group: &[usize], mut region: usize| {
-        while group[region] != region {
-            region = group[region];
-        }
-        region
-    };
+/// Regions whose states depend on each other belong together.
+pub(super) fn dependent(places: &[PlaceInfo<'_>], list: &[Statement<'_>], regions: &[Set<usize>]) -> Groups {
+    let mut groups = Groups::new(places.len());
     for (statement, regions) in list.iter().zip(regions) {
-        let mut decides = false;
-        each_written(std::slice::from_ref(statement), &mut |place| {
-            decides |= matches!(places[place.0].role, Role::State(_));
-        });
+        let decides = !written(places, std::slice::from_ref(statement)).is_empty();
         let [first, rest @ ..] = &regions[..] else { continue };
         for other in rest.iter().filter(|_| decides) {
-            let (a, b) = (find(&group, *first), find(&group, *other));
-            group[a.max(b)] = a.min(b);
+            groups.join(*first, *other);
         }
     }
-    let mut keys = Vec::with_capacity(list.len());
-    for regions in regions {
-        let mut own = Set::new();
-        for region in &**regions {
-            own.insert(find(&group, *region));
-        }
-        keys.push(match own[..] {
-            [] => None,
-            [one] => Some(one),
-            // It looks at several that do not depend on each other.
-            _ => Some(usize::MAX),
-        });
-    }
-    keys
+    groups
 }
 
 /// What has to stand before what.

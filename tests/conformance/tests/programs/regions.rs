@@ -29,6 +29,38 @@ fn branches_tell_by_their_states_whether_they_have_moved() {
     }
 }
 
+/// A branch that looks at a step of another one is a match of its own, in front of it or, where they look at each other, behind a copy of its state. What clears a join is
+/// asked before, whatever stands where in the chart.
+#[test]
+fn branches_look_at_each_other() {
+    let chart = |of_a: &str, of_b: &str| {
+        format!(
+            "sfc Hoists {{ input a, b, c: bool; output p, q, r: bool; initial step Start {{ r; }} step A1; step A2 {{ p; }} step A3; \
+             step B1; step B2 {{ q; }} step B3; Start -[true]-> (A1, B1); A1 -[a {of_a}]-> A2; A2 -[c && 3ms/A2]-> A3; \
+             B1 -[b {of_b}]-> B2; B2 -[c && 5ms/B2]-> B3; (A3, B3) -[!a]-> Start; }}"
+        )
+    };
+    for (of_a, of_b, copied) in [
+        ("", "&& !A2.X", None),
+        ("&& !B2.X", "", None),
+        ("&& !B2.X", "&& !A2.X", Some("was.state.Start")),
+        ("&& B2.X", "&& (A2.X || A1.X && c)", Some("was.state.Start")),
+        ("&& 4ms/B1", "&& !A2.X", None),
+    ] {
+        let model = read(&chart(of_a, of_b));
+        let program = optimised(&model, &Pass::ALL).expect("a program").to_string();
+        let cycle = program.split("\ncycle\n").nth(1).expect("a cycle");
+        assert!(!cycle.contains("clears.") && !cycle.contains("entered."), "{of_a}, {of_b}: {cycle}");
+        assert_eq!(cycle.matches("if state.Start is A3 && state.B1 is B3").count(), 1, "{of_a}, {of_b}: {cycle}");
+        assert_eq!(cycle.matches("state.Start = A2").count(), 1, "{of_a}, {of_b}: {cycle}");
+        assert_eq!(cycle.matches("state.B1 = B2").count(), 1, "{of_a}, {of_b}: {cycle}");
+        if let Some(copy) = copied {
+            assert!(cycle.contains(&format!("{copy} is A")), "{of_a}, {of_b}: {cycle}");
+        }
+        each_left_out(&model, &storm(&["a", "b", "c"], 300), 60);
+    }
+}
+
 /// An output that ends each cycle as its flip-flop is set behind the ways, but not one that something asks for.
 #[test]
 fn an_output_that_shows_a_field_is_set_once() {

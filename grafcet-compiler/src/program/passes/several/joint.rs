@@ -1,6 +1,7 @@
 //! A part of regions that depend on each other: first the states of one region beside which nothing else is active, or a condition that
 //! looks at several regions.
 
+use super::super::belonging::Deciding;
 use super::super::engine::{Among, Fact};
 use super::super::parts::Part;
 use super::super::share;
@@ -85,7 +86,8 @@ impl<'m> Several<'_, 'm> {
         Some(all)
     }
 
-    /// The conditions that look at several regions.
+    /// The conditions that look at several regions; those alone that also decide about several, if there are any: a region that only looks at another one is a part of
+    /// its own behind them.
     fn synchronised(&self, part: &Part<'m>) -> Vec<usize> {
         let mut found = Vec::new();
         for (at, statement) in part.statements.iter().enumerate() {
@@ -96,7 +98,12 @@ impl<'m> Several<'_, 'm> {
                 found.push(at);
             }
         }
-        found
+        if !self.by_group {
+            return found;
+        }
+        let regions = Deciding::of(self.places, &part.statements).regions;
+        let deciding = found.iter().copied().filter(|at| regions[*at].len() > 1).list();
+        if deciding.is_empty() { found } else { deciding }
     }
 
     /// First such a condition: the one that leaves the least to do, where these are few.
@@ -107,7 +114,7 @@ impl<'m> Several<'_, 'm> {
             if self.effort.get() == 0 {
                 break;
             }
-            let asked = self.asked_first(part.clone(), *at, env);
+            let Some(asked) = self.asked_first(part.clone(), *at, env) else { continue };
             let weight = weight(&asked);
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
                 best = Some((weight, asked));
@@ -116,8 +123,8 @@ impl<'m> Several<'_, 'm> {
         best.map_or(part.statements, |(_, best)| best)
     }
 
-    /// The condition at a place is asked, and the rest done by what it says.
-    fn asked_first(&self, part: Part<'m>, at: usize, env: &Env) -> Vec<Statement<'m>> {
+    /// The condition at a place is asked, and the rest done by what it says, if what stands in front of it may stand behind it.
+    fn asked_first(&self, part: Part<'m>, at: usize, env: &Env) -> Option<Vec<Statement<'m>>> {
         let mut wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;
         let behind = list.split_off(at);
@@ -137,10 +144,7 @@ impl<'m> Several<'_, 'm> {
         // What stays behind must not be what stands in front now.
         let (front, back) = (Effects::of_all(&before), Effects::of_all(&rest));
         let swaps = front.may_swap(&back) && behind.first().is_some_and(|one| Effects::of(one).may_swap(&back));
-        let Some(Statement::Set(place, condition)) = behind.first().filter(|_| swaps) else {
-            list.extend(behind);
-            return list;
-        };
+        let Some(Statement::Set(place, condition)) = behind.first().filter(|_| swaps) else { return None };
         let (place, condition) = (*place, condition.clone());
         rest.extend(behind.into_iter().skip(1));
         let index = Index::whole(self.places.len(), 0, &self.points[0]);
@@ -160,7 +164,7 @@ impl<'m> Several<'_, 'm> {
             ways.push(way);
             engine.back(mark);
         }
-        let (Some(mut otherwise), Some(mut then)) = (ways.pop(), ways.pop()) else { return body };
+        let (Some(mut otherwise), Some(mut then)) = (ways.pop(), ways.pop()) else { return None };
         let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_));
         let behind = share::ends(&mut [&mut then, &mut otherwise], &may);
         if then.is_empty() {
@@ -169,6 +173,6 @@ impl<'m> Several<'_, 'm> {
             body.push(Statement::If(condition, then, otherwise));
         }
         body.extend(behind);
-        body
+        Some(body)
     }
 }

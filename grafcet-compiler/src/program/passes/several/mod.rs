@@ -29,17 +29,19 @@ pub(super) use single::weight;
 use std::cell::Cell;
 
 use super::super::{Deadline, Expr, Initial, Meeting, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::belonging::finer;
 use super::dead::read_after;
 use super::engine::{Among, Engine, Fact};
 use super::flat::flat;
 use super::fold::initial;
 use super::hoist;
 use super::live::{Live, Places};
-use super::parts::{Part, parts, spread};
+use super::parts::{Part, parts, spread, written};
 use super::share;
 use super::sparse::{Index, States};
 use super::starting;
 use super::uses::{Effects, each_asked, each_written, is_read_in, mentions, writes_to};
+use crate::list::List;
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -100,6 +102,9 @@ pub(super) struct Several<'p, 'm> {
     /// What a state tells of another region.
     pub(super) ties: Vec<Tie>,
     pub(super) meetings: Vec<Meeting>,
+    /// A region that only looks at the state of another one is a part of its own. In a search, which comes to all parts again and again, one condition asked first
+    /// does better (two lifts as `grafcet`, Cortex-M3: 400 bytes and 91 instructions, and 528 and 106 so).
+    by_group: bool,
     /// So many statements and places may still be looked at for conditions that are asked first.
     effort: Cell<usize>,
 }
@@ -117,7 +122,8 @@ impl<'p, 'm> Several<'p, 'm> {
         let asked = program.deadline.as_ref().is_some_and(asks);
         let mut after = read_after(program);
         after.put(first, false);
-        (!asked).then(|| Self::over(program, after)).flatten()
+        let several = (!asked).then(|| Self::over(program, after)).flatten()?;
+        Some(Self { by_group: true, ..several })
     }
 
     /// For statements behind which these places are read.
@@ -144,6 +150,7 @@ impl<'p, 'm> Several<'p, 'm> {
             full: program.full.clone(),
             ties: Vec::new(),
             meetings: Vec::new(),
+            by_group: false,
             effort: Cell::new(effort(program)),
         })
     }
@@ -282,7 +289,9 @@ impl<'p, 'm> Several<'p, 'm> {
         let (body, _) = self.folded(list, env);
         let body = self.swept(body, env);
         let off = |place: PlaceId| env.facts[place.0] == Fact::Is(Value::Bool(false));
-        let mut parts = parts(self.places, spread(self.places, body, &off));
+        let body = spread(self.places, body, &off);
+        let by_group = self.by_group.then(|| finer(self.places, &body, &off, &self.copies(&body, env))).flatten();
+        let mut parts = by_group.unwrap_or_else(|| parts(self.places, body));
         join_wide(&mut parts, self.places);
         let mut later = vec![env.later.clone()];
         for part in parts.iter().rev() {
@@ -301,14 +310,20 @@ impl<'p, 'm> Several<'p, 'm> {
         body
     }
 
+    /// By region, where its state before may be kept.
+    fn copies(&self, list: &[Statement<'m>], env: &Env) -> Vec<(PlaceId, Option<PlaceId>)> {
+        let free = self.free(list, env);
+        let of = self.states.iter().zip(&self.was).enumerate();
+        of.map(|(region, (state, was))| (*state, was.filter(|_| free.contains(&region)))).list()
+    }
+
     fn part(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
-        let decides = self.decides(&part.statements);
-        match part.regions[..] {
-            [] => part.statements,
-            _ if !decides && part.statements.len() < 2 => part.statements,
-            [region] => self.single(region, part, env),
-            _ if decides => self.joint(part, env),
-            _ => part.statements,
+        match (&written(self.places, &part.statements)[..], &part.regions[..]) {
+            (_, []) => part.statements,
+            ([], _) if part.statements.len() < 2 => part.statements,
+            ([region], _) | ([], [region]) => self.single(*region, part, env),
+            ([], _) => part.statements,
+            _ => self.joint(part, env),
         }
     }
 

@@ -18,7 +18,7 @@ const WAYS: usize = 64;
 const FEW: usize = 6;
 
 /// In statements, what a second match costs.
-const DISPATCH: usize = 5;
+const DISPATCH: usize = 2;
 
 impl<'m> Several<'_, 'm> {
     /// A part of one region: an arm for each of its states.

@@ -142,7 +142,7 @@ impl<'m> Several<'_, 'm> {
     }
 
     /// The regions of which a copy may be made here: nobody needs another one, or it is the same.
-    fn free(&self, list: &[Statement<'m>], env: &Env) -> Set<usize> {
+    pub(super) fn free(&self, list: &[Statement<'m>], env: &Env) -> Set<usize> {
         let asked = Effects::of_all(list).reads;
         let mut free = Set::new();
         for (region, (was, state)) in self.was.iter().zip(&self.states).enumerate() {

@@ -141,7 +141,9 @@ impl<'m> Several<'_, 'm> {
         let info = &self.places[truth.0];
         let mut set = list.iter().enumerate().filter(|(_, one)| writes_to(one, truth));
         let (at, Statement::Set(_, value)) = set.next()? else { return None };
-        if set.next().is_some() || info.is_field || !matches!(info.ty, Type::Bool) || !is_pure(value) {
+        // To what has been put into it in front of these statements others may have added what is not looked at here.
+        let is_once = set.next().is_none() && !mentions(value, truth);
+        if !is_once || info.is_field || !matches!(info.ty, Type::Bool) || !is_pure(value) {
             return None;
         }
         let disturbs = |one: &Statement<'m>, state: &PlaceId| writes_to(one, *state) && mentions(value, *state);

@@ -1,0 +1,210 @@
+//! Regions of which one looks at the state of another, and that are parts of their own all the same.
+//!
+//! ```text
+//! clears.A1→A2 = state.A1 is A1 && a                           clears.B1→B2 = state.B1 is B1 && !(state.A1 is A1)
+//! clears.B1→B2 = state.B1 is B1 && !(state.A1 is A1)           if clears.B1→B2: state.B1 = B2
+//! if clears.A1→A2: state.A1 = A2                         ->    ----
+//! if clears.B1→B2: state.B1 = B2                               clears.A1→A2 = state.A1 is A1 && a
+//!                                                              if clears.A1→A2: state.A1 = A2
+//! ```
+//!
+//! Whoever looks at another region stands in front of it. Where two look at each other, they look at copies of the states.
+
+use super::super::{Expr, PlaceId, PlaceInfo, Statement};
+use super::parts::{Part, cut, dependent, gathers, region_of, regions, written};
+use super::uses::{Effects, each_written, is_pure, mentions, same_block, writes_to};
+use super::working::rename;
+use crate::list::List;
+use crate::sorted::Set;
+
+/// By region: its place, and the one where its state before may be kept.
+pub(super) type Copies = [(PlaceId, Option<PlaceId>)];
+
+/// Each group of regions that statements decide about together is a part of its own, if that is another way to cut the list than by what depends on what, and each region
+/// moves in one part. `off` tells which truths are false where the list begins.
+pub(super) fn finer<'m>(
+    places: &[PlaceInfo<'m>],
+    list: &[Statement<'m>],
+    off: &dyn Fn(PlaceId) -> bool,
+    copies: &Copies,
+) -> Option<Vec<Part<'m>>> {
+    let dependent = dependent(places, list, &regions(places, list));
+    let deciding = Deciding::of(places, list);
+    if (0..places.len()).all(|region| deciding.groups.find(region) == dependent.find(region)) {
+        return None;
+    }
+    let list = deciding.with_copies(gathered(places, list, off), copies)?;
+    let deciding = Deciding::of(places, &list);
+    let regions = deciding.belonging(places, &list, copies);
+    let keys = regions.iter().map(|regions| deciding.groups.key(regions)).list();
+    let parts = cut(places, list, &regions, &keys);
+    let mut moved = Set::new();
+    let once = parts.iter().all(|part| written(places, &part.statements).iter().all(|region| moved.insert(*region)));
+    once.then_some(parts)
+}
+
+/// What statements decide about.
+pub(super) struct Deciding {
+    /// By statement, the regions whose next state it has a part in, also by way of locals.
+    pub(super) regions: Vec<Set<usize>>,
+    /// The same by place.
+    places: Vec<Set<usize>>,
+    /// Regions that one statement decides about belong together.
+    groups: Groups,
+}
+
+impl Deciding {
+    pub(super) fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Self {
+        let depends = regions(places, list);
+        let mut groups = Groups::new(places.len());
+        let mut decides: Vec<Set<usize>> = vec![Set::new(); places.len()];
+        let mut by_statement = vec![Set::new(); list.len()];
+        for (at, statement) in list.iter().enumerate().rev() {
+            // A copy of a state is everybody's, and so is what has nothing to do with states.
+            if depends[at].is_empty() || is_copy(places, statement) {
+                continue;
+            }
+            let effects = Effects::of(statement);
+            let mut own = written(places, std::slice::from_ref(statement));
+            for place in effects.writes.iter().filter(|place| !places[place.0].is_field) {
+                own.extend(decides[place.0].iter().copied());
+            }
+            if let [first, rest @ ..] = &own[..] {
+                for other in rest {
+                    groups.join(*first, *other);
+                }
+            }
+            for place in effects.reads.iter().filter(|place| !places[place.0].is_field) {
+                decides[place.0].extend(own.iter().copied());
+            }
+            by_statement[at] = own;
+        }
+        Self { regions: by_statement, places: decides, groups }
+    }
+
+    /// By statement, the regions that it decides about, or else those whose states, or what decides about them, it asks for.
+    fn belonging(&self, places: &[PlaceInfo<'_>], list: &[Statement<'_>], copies: &Copies) -> Vec<Set<usize>> {
+        let (mut all, mut asked) = (self.regions.clone(), self.places.clone());
+        for (region, (_, copy)) in copies.iter().enumerate() {
+            if let Some(copy) = copy {
+                asked[copy.0] = Set::new();
+                asked[copy.0].insert(region);
+            }
+        }
+        for (own, statement) in all.iter_mut().zip(list).filter(|(own, _)| own.is_empty()) {
+            if is_copy(places, statement) {
+                continue;
+            }
+            let (effects, adds) = (Effects::of(statement), gathers(statement));
+            for place in effects.reads.iter().filter(|place| Some(**place) != adds) {
+                own.extend(region_of(places, *place));
+                own.extend(asked[place.0].iter().copied());
+            }
+            for place in effects.writes.iter().filter(|place| !places[place.0].is_field) {
+                asked[place.0].extend(own.iter().copied());
+            }
+        }
+        all
+    }
+
+    /// Where groups look at each other's states, they look at copies of them, made in front of all. None, where one may not be made.
+    fn with_copies<'m>(&self, mut list: Vec<Statement<'m>>, copies: &Copies) -> Option<Vec<Statement<'m>>> {
+        let reads = list.iter().map(|one| Effects::of(one).reads).list();
+        let mut looks: Vec<(usize, usize)> = Vec::new();
+        for (own, reads) in self.regions.iter().zip(&reads) {
+            let Some(own) = own.first() else { continue };
+            for (region, _) in copies.iter().enumerate().filter(|(_, (state, _))| reads.contains(state)) {
+                let (group, other) = (self.groups.find(*own), self.groups.find(region));
+                looks.extend((group != other).then_some((group, other)));
+            }
+        }
+        // Only those in a circle are left.
+        loop {
+            let before = looks.clone();
+            looks.retain(|(group, other)| {
+                before.iter().any(|(_, of)| of == group) && before.iter().any(|(of, _)| of == other)
+            });
+            if looks.len() == before.len() {
+                break;
+            }
+        }
+        let mut front = Vec::new();
+        for (region, (state, copy)) in copies.iter().enumerate() {
+            let moved = list.iter().position(|one| writes_to(one, *state)).unwrap_or(list.len());
+            let mut is_copied = false;
+            for at in 0..list.len() {
+                let Some(own) = self.regions[at].first() else { continue };
+                let is_circle = looks.contains(&(self.groups.find(*own), self.groups.find(region)));
+                if is_circle && reads[at].contains(state) {
+                    rename(&mut list[at..=at], *state, (*copy).filter(|_| at < moved)?);
+                    is_copied = true;
+                }
+            }
+            if let (Some(copy), true) = (copy, is_copied) {
+                front.push(Statement::Set(*copy, Expr::Place(*state)));
+            }
+        }
+        let made = |one: &Statement<'m>| {
+            front.iter().any(|copy| same_block(std::slice::from_ref(copy), std::slice::from_ref(one)))
+        };
+        list.retain(|one| !made(one));
+        front.extend(list);
+        Some(front)
+    }
+}
+
+/// Whether a statement makes a copy of a state.
+fn is_copy(places: &[PlaceInfo<'_>], statement: &Statement<'_>) -> bool {
+    matches!(statement, Statement::Set(_, Expr::Place(of)) if region_of(places, *of).is_some())
+}
+
+/// What is first put into a truth that is gathered is gathered, too: it need not stand in front of the rest.
+fn gathered<'m>(places: &[PlaceInfo<'m>], list: &[Statement<'m>], off: &dyn Fn(PlaceId) -> bool) -> Vec<Statement<'m>> {
+    let adds: Set<PlaceId> = list.iter().filter_map(gathers).collect();
+    let mut written: Set<PlaceId> = Set::new();
+    let mut new = list.to_vec();
+    for statement in &mut new {
+        if let Statement::Set(place, Expr::Any(asked)) = statement {
+            let is_first = off(*place) && adds.contains(place) && !written.contains(place) && !places[place.0].is_field;
+            if is_first && asked.iter().all(|part| is_pure(part) && !mentions(part, *place)) {
+                asked.insert(0, Expr::Place(*place));
+            }
+        }
+        each_written(std::slice::from_ref(statement), &mut |place| _ = written.insert(place));
+    }
+    new
+}
+
+/// By region: another one of the same group, or itself.
+pub(super) struct Groups(Vec<usize>);
+
+impl Groups {
+    /// Each region by itself.
+    pub(super) fn new(regions: usize) -> Self {
+        Self((0..regions).collect())
+    }
+
+    pub(super) fn find(&self, mut region: usize) -> usize {
+        while self.0[region] != region {
+            region = self.0[region];
+        }
+        region
+    }
+
+    pub(super) fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.find(a), self.find(b));
+        self.0[a.max(b)] = a.min(b);
+    }
+
+    /// None, where there are no regions.
+    pub(super) fn key(&self, regions: &Set<usize>) -> Option<usize> {
+        let mut own = Set::new();
+        own.extend(regions.iter().map(|region| self.find(*region)));
+        match own[..] {
+            [] => None,
+            [one] => Some(one),
+            // It looks at several that do not depend on each other.
+            _ => Some(usize::MAX),
+        }
+    }
+}

@@ -1,0 +1,133 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Hoists {
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &HoistsInputs,
+        #[cfg(doc)]
+        inputs: &HoistsInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> HoistsOutputs {
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut outputs_ = const {
+            HoistsOutputs {
+                lift_a: false,
+                lift_b: false,
+                ready: false,
+            }
+        };
+        self.before_state_idle = self.region_0;
+        self.before_state_waitb = self.region_1;
+        let was_state_idle_2__: __HoistsRegion0 = self.region_0;
+        match self.region_0 {
+            __HoistsRegion0::INIT => {
+                self.region_0 = __HoistsRegion0::Idle;
+                self.since_waitb = now_;
+                outputs_.ready = true;
+            }
+            __HoistsRegion0::Idle => {
+                if inputs_.start {
+                    self.region_0 = __HoistsRegion0::WaitA;
+                    self.region_1 = __HoistsRegion1::WaitB;
+                    self.since_waitb = now_;
+                } else {
+                    outputs_.ready = true;
+                }
+            }
+            _ => {
+                if self.region_0 == __HoistsRegion0::EndA
+                    && self.region_1 == __HoistsRegion1::EndB && inputs_.done
+                {
+                    outputs_.ready = true;
+                    self.region_1 = __HoistsRegion1::NONE;
+                    self.region_0 = __HoistsRegion0::Idle;
+                } else {
+                    let was_state_idle_: __HoistsRegion0 = self.region_0;
+                    match self.region_0 {
+                        __HoistsRegion0::WaitA => {
+                            if inputs_.call_a && self.region_1 != __HoistsRegion1::LiftB
+                            {
+                                self.region_0 = __HoistsRegion0::LiftA;
+                            }
+                        }
+                        __HoistsRegion0::LiftA => {
+                            if inputs_.up
+                                && now_.since(self.since_idle)
+                                    >= Ticks::new(2000u32)
+                            {
+                                self.region_0 = __HoistsRegion0::EndA;
+                            } else {
+                                if now_.since(self.since_idle)
+                                    >= Ticks::new(2000u32)
+                                {
+                                    self.since_idle = now_
+                                        .since(Ticks::new(2000u32));
+                                    self.before_state_idle = __HoistsRegion0::Idle;
+                                }
+                            }
+                        }
+                        _ => {}
+                    }
+                    match self.region_0 {
+                        __HoistsRegion0::LiftA => {
+                            outputs_.lift_a = true;
+                        }
+                        _ => {}
+                    }
+                    core::sync::atomic::compiler_fence(
+                        core::sync::atomic::Ordering::SeqCst,
+                    );
+                    match self.region_1 {
+                        __HoistsRegion1::WaitB => {
+                            if inputs_.call_b
+                                && was_state_idle_ != __HoistsRegion0::LiftA
+                                && was_state_idle_ != __HoistsRegion0::WaitA
+                            {
+                                self.region_1 = __HoistsRegion1::LiftB;
+                                self.since_waitb = now_;
+                            }
+                        }
+                        __HoistsRegion1::LiftB => {
+                            if inputs_.down
+                                && now_.since(self.since_waitb)
+                                    >= Ticks::new(1000u32)
+                            {
+                                self.region_1 = __HoistsRegion1::EndB;
+                                self.since_waitb = now_;
+                            } else {
+                                if now_.since(self.since_waitb)
+                                    >= Ticks::new(1000u32)
+                                {
+                                    self.since_waitb = now_
+                                        .since(Ticks::new(1000u32));
+                                    self.before_state_waitb = __HoistsRegion1::EndB;
+                                }
+                            }
+                        }
+                        _ => {}
+                    }
+                    match self.region_1 {
+                        __HoistsRegion1::LiftB => {
+                            outputs_.lift_b = true;
+                        }
+                        _ => {}
+                    }
+                }
+            }
+        }
+        if was_state_idle_2__ != self.region_0 {
+            self.since_idle = now_;
+        }
+        outputs_
+    }
+}
