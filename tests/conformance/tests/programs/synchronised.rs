@@ -3,7 +3,7 @@
 use grafcet_compiler::program::passes::Pass;
 use grafcet_conformance::program::program as optimised;
 
-use super::passes::{drawn, each_left_out};
+use super::passes::{drawn, each_left_out, storm};
 use super::read;
 
 /// Places between stations are branches of their own, which are full or empty.
@@ -83,4 +83,19 @@ fn a_state_from_before_the_round_is_not_made_anew() {
            (Shut, Side1) -[Robot::There.X && c]-> Done; (Shut, Side2) -[Robot::There.X]-> Done; Done -[!c && Robot::Home.X]-> Open; } }";
     let chart = chart.replacen("Side1 -[d &&", "Side1 -[d && !c &&", 1);
     is_the_same(&chart);
+}
+
+/// In a chart that is not safe (`S5` leads back into the step that forks) a transition that is asked first leaves a step as well: what it puts into the truth by which that step
+/// is left stands in front of the transitions that are written one by one, so these may not take the truth for theirs alone.
+#[test]
+fn what_leaves_a_step_may_be_known_before() {
+    let chart = "sfc Gathered { input a: bool; input b: bool; input c: bool; input d: bool; input e: bool; param p: time in 0s..1h = 4ms; output q0: bool; output q1: \
+     bool; output q2: bool; output y: u8; output z: i16; var n: i16 = 0; action act0(r0: u8, r1: bool); let w0 = ((a) != ((3ms/S8))); initial step S1 { } \
+     step S2 { } step S3 { } step S4 { N q1; S q1; N q1 if (1ms/q2); D 6ms z = ((z + 4) % 50); } step S5 { q1; N q1 if (!a || S2.X); } step S6 { P1 n = (z \
+     & 7); } step S7 { } step S8 { N act0(((y * 3) % 50), ((d) != (!w0))) if (e && w0); P1 { z = (n & 7); n += 3; n %= 50; } } step S9 { D 8ms n = ((z + (z \
+     & 7)) % 50); } step S10 { N act0(((0 * 3) % 50), false); S n = ((6 + ((n + z) % 50)) % 50); N act0(4, (d || !w0)); P q0; } S1 -[true]-> S2; S2 -[b]-> \
+     (S3, S4, S5); S3 -[!q0]-> S6; S3 -[(((blink(2ms, S9) && (z >= z))) ^ ((y == y)))]-> S7; S3 -[((((y == y)) != (S2.X)) && a)]-> S8; S6 -[(!d || (d && \
+     falling(d)))]-> S9; S7 -[t3159: !((20ms/S6))]-> S9; S8 -[(n < z)]-> S9; (S9, S4, S5) -[(((z == 2) && (z >= z)) || !d)]-> S10; S10 -[(((S8.X) != (e)) \
+     || (3ms/S7))]-> S1; S5 -[!d]-> S2; }";
+    each_left_out(&read(chart), &storm(&["a", "b", "c", "d", "e"], 120), 3);
 }
