@@ -1,5 +1,6 @@
 //! Whose a statement is: of the regions whose states it writes, or for whose sake something is computed.
 
+use super::super::belonging::Groups;
 use super::super::parts::{gathers, regions};
 use super::super::uses::{each_read, each_written, reads_from};
 use crate::program::{Expr, PlaceId, PlaceInfo, Role, Statement};
@@ -12,37 +13,24 @@ pub(super) fn owners(
     list: &[Statement<'_>],
     states: &[PlaceId],
 ) -> (Vec<Set<usize>>, Vec<Option<usize>>) {
-    let mut groups = Groups { group: (0..states.len()).collect(), of: vec![None; places.len()], states };
-    groups.unite(places, list);
+    let mut owning = Owning { groups: Groups::new(states.len()), of: vec![None; places.len()], states };
+    owning.unite(places, list);
     let regions = regions(places, list);
     let mut keys = vec![None; list.len()];
     for (at, statement) in list.iter().enumerate().rev() {
-        keys[at] = groups.owner(places, (list, &keys), at, statement, &regions[at]);
+        keys[at] = owning.owner(places, (list, &keys), at, statement, &regions[at]);
     }
     (regions, keys)
 }
 
-struct Groups<'s> {
-    /// By region: another one of the same group, or itself.
-    group: Vec<usize>,
+struct Owning<'s> {
+    groups: Groups,
     /// By place: a region that depends on this truth at once.
     of: Vec<Option<usize>>,
     states: &'s [PlaceId],
 }
 
-impl Groups<'_> {
-    fn find(&self, mut region: usize) -> usize {
-        while self.group[region] != region {
-            region = self.group[region];
-        }
-        region
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.group[a.max(b)] = a.min(b);
-    }
-
+impl Owning<'_> {
     fn written(&self, statement: &Statement<'_>) -> Set<usize> {
         let mut written = Set::new();
         each_written(std::slice::from_ref(statement), &mut |place| {
@@ -57,7 +45,7 @@ impl Groups<'_> {
             let written = self.written(statement);
             let [first, rest @ ..] = &written[..] else { continue };
             for other in rest {
-                self.join(*first, *other);
+                self.groups.join(*first, *other);
             }
             for truth in &*asked(statement) {
                 let is_step = matches!(places[truth.0].role, Role::State(_)) || places[truth.0].is_field;
@@ -65,7 +53,7 @@ impl Groups<'_> {
                     continue;
                 }
                 match self.of[truth.0] {
-                    Some(other) => self.join(*first, other),
+                    Some(other) => self.groups.join(*first, other),
                     None => self.of[truth.0] = Some(*first),
                 }
             }
@@ -81,7 +69,7 @@ impl Groups<'_> {
         regions: &Set<usize>,
     ) -> Option<usize> {
         if let Some(region) = self.written(statement).first() {
-            return Some(self.find(*region));
+            return Some(self.groups.find(*region));
         }
         // A copy is everybody's.
         if matches!(statement, Statement::Set(_, Expr::Place(place)) if self.states.contains(place)) {
@@ -89,7 +77,7 @@ impl Groups<'_> {
         }
         if let Statement::Set(place, _) = statement {
             if let Some(region) = self.of[place.0] {
-                return Some(self.find(region));
+                return Some(self.groups.find(region));
             }
             if !places[place.0].is_field && gathers(statement).is_none() {
                 let mut readers = Set::new();
@@ -103,16 +91,7 @@ impl Groups<'_> {
                 }
             }
         }
-        let mut own = Set::new();
-        for region in &**regions {
-            own.insert(self.find(*region));
-        }
-        match own[..] {
-            [] => None,
-            [one] => Some(one),
-            // It looks at several that do not depend on each other.
-            _ => Some(usize::MAX),
-        }
+        self.groups.key(regions)
     }
 }
 
