@@ -1,7 +1,9 @@
 //! Whether the cycle that has run left something to the next one: what `next_deadline` calls "at once". It is not worked out by the
 //! rules of that page but tried: one more cycle runs with the same inputs at the same reading of the clock.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+use grafcet_compiler::model::{Association, EdgeId, Effect, Expr, Model, Read};
 
 use super::{Cycle, Error, Interpreter, Machine, Memory, Value};
 
@@ -24,12 +26,13 @@ impl Interpreter<'_> {
     pub fn rest(&self, before: &Memory, cycle: &Cycle, inputs: &[Value], now: u32) -> Result<Rest, Error> {
         let mut next = self.clone();
         let again = next.cycle(inputs, now)?;
-        let here = self.memory.without_times();
-        if next.memory.without_times() != here || !again.calls.is_empty() || !again.stable {
+        let looked_at = |memory: &Memory| memory.without_times().looked_at(self.model);
+        let here = looked_at(&self.memory);
+        if looked_at(&next.memory) != here || !again.calls.is_empty() || !again.stable {
             return Ok(Rest::Goes);
         }
         let cleared = cycle.done().iter().any(|evolution| !evolution.cleared.is_empty());
-        let did = cleared || !cycle.calls.is_empty() || cycle.stirred || before.without_times() != here;
+        let did = cleared || !cycle.calls.is_empty() || cycle.stirred || looked_at(before) != here;
         Ok(if did { Rest::Looks } else { Rest::Sleeps })
     }
 }
@@ -38,6 +41,26 @@ impl Memory {
     /// All but how much time has passed.
     fn without_times(&self) -> Self {
         self.settled(0)
+    }
+
+    /// Without the edges that nothing asks for: of each the values are kept before the evolution and, in an `sfc`, before the actions, though conditions may
+    /// look at it alone, or actions.
+    fn looked_at(mut self, model: &Model) -> Self {
+        let transitions = model.transitions.values();
+        let clearing = transitions.clone().flat_map(|transition| &transition.clearing).flat_map(Effect::reads);
+        let conditions =
+            transitions.map(|transition| &transition.condition).chain(model.delays.values().map(|delay| &delay.of));
+        let early = conditions.flat_map(|of: &Expr| &of.reads).chain(clearing.flatten());
+        let acting = model.associations.values().flat_map(Association::reads).flatten();
+        if model.is_grafcet() {
+            let asked = edges(model, early.chain(acting));
+            self.state.edges.retain(|id, _| asked.contains(id));
+        } else {
+            let (early, late) = (edges(model, early), edges(model, acting));
+            self.state.edges.retain(|id, _| early.contains(id));
+            self.state.action_edges.retain(|id, _| late.contains(id));
+        }
+        self
     }
 
     /// The same where times are no longer than this and the clock reads zero: who compares no time with anything that is longer, and counts how much
@@ -52,6 +75,20 @@ impl Memory {
         }
         memory
     }
+}
+
+/// The edges among what is read, and those that they look at themselves.
+fn edges<'m>(model: &'m Model, reads: impl Iterator<Item = &'m Read>) -> BTreeSet<EdgeId> {
+    let mut found = BTreeSet::new();
+    let mut open: Vec<&Read> = reads.collect();
+    while let Some(read) = open.pop() {
+        if let Read::Rising(id) | Read::Falling(id) = read {
+            if found.insert(*id) {
+                open.extend(&model.edges[*id].of.reads);
+            }
+        }
+    }
+    found
 }
 
 /// No longer than this.

@@ -11,6 +11,7 @@ use grafcet_compiler::program::passes::Pass;
 
 use crate::program::{Outcome, compare, rests, sleeps};
 use crate::reader::Line;
+use crate::simpler::simpler;
 use crate::{chart, random, reader};
 
 const USAGE: &str = "\
@@ -129,16 +130,16 @@ fn play(grafcet: bool, next: &Next, cycles: usize) -> Result<Part, String> {
             Err(error) => {
                 part.differing += 1;
                 if next.shown.fetch_add(1, Ordering::Relaxed) < SHOWN {
-                    println!("{number}: {error}\n{}", made.chart);
+                    println!("{number}: {}\n{}", error.error, made.chart);
+                    println!("{number}: {}", error.smallest(&made.chart, &lines));
                 }
             }
         }
     }
 }
 
-/// Each chart after all passes or all but one, one in five as it is, some of them asleep too. Whether the
-/// whole timeline was understood.
-fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, String> {
+/// Each chart after all passes or all but one, one in five as it is. Whether the whole timeline was understood.
+fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, Difference> {
     let mut passes = Pass::ALL.to_vec();
     if let Some(left_out) = Pass::ALL.get(usize::try_from(number / 3).unwrap_or(0) % (Pass::ALL.len() + 1)) {
         passes.retain(|pass| pass != left_out);
@@ -146,15 +147,72 @@ fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, String> {
     if number % 5 == 0 {
         passes.clear();
     }
-    let within = |error: String| format!("{passes:?}: {error}");
-    let outcome = compare(model, lines, &passes).map_err(within)?;
-    if (number / 32) % 8 == 0 {
-        let lines = &lines[..lines.len().min(40)];
-        sleeps(model, lines, &passes).map_err(|error| within(format!("asleep: {error}")))?;
+    let mut whole = true;
+    for way in Way::ALL {
+        if way.is_asked(number) {
+            match way.plays(model, lines, &passes) {
+                Ok(understood) => whole &= understood,
+                Err(error) => return Err(Difference { passes, way, error }),
+            }
+        }
     }
-    if (number / 32) % 8 == 1 {
-        let lines = &lines[..lines.len().min(60)];
-        rests(model, lines, &passes).map_err(|error| within(format!("at rest: {error}")))?;
+    Ok(whole)
+}
+
+/// How a program is compared with the interpreter.
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    Cycles,
+    /// Of a chart by time one in eight, with cycles only where it asks for them.
+    Asleep,
+    /// One in eight, with what it says of when it wants the next cycle.
+    AtRest,
+}
+
+impl Way {
+    const ALL: [Self; 3] = [Self::Cycles, Self::Asleep, Self::AtRest];
+
+    fn is_asked(self, number: u64) -> bool {
+        match self {
+            Self::Cycles => true,
+            Self::Asleep => (number / 32) % 8 == 0,
+            Self::AtRest => (number / 32) % 8 == 1,
+        }
     }
-    Ok(matches!(outcome, Outcome::Same))
+
+    fn plays(self, model: &Model, lines: &[Line], passes: &[Pass]) -> Result<bool, String> {
+        match self {
+            Self::Cycles => Ok(matches!(compare(model, lines, passes)?, Outcome::Same)),
+            Self::Asleep => sleeps(model, &lines[..lines.len().min(40)], passes).map(|()| true),
+            Self::AtRest => rests(model, &lines[..lines.len().min(60)], passes).map(|()| true),
+        }
+    }
+}
+
+/// A program that does something else than the interpreter.
+struct Difference {
+    passes: Vec<Pass>,
+    way: Way,
+    error: String,
+}
+
+impl Difference {
+    /// With the chart, from which all is left out without which it still differs so, and the passes.
+    fn smallest(mut self, chart: &str, lines: &[Line]) -> String {
+        let mut chart = chart.to_owned();
+        while let Some((simpler, error)) = simpler(&chart).into_iter().find_map(|text| {
+            let model = chart::resolve(&text).ok().filter(|_| text.len() < chart.len())?;
+            Some((text, self.way.plays(&model, lines, &self.passes).err()?))
+        }) {
+            (chart, self.error) = (simpler, error);
+        }
+        let Ok(model) = chart::resolve(&chart) else { return self.error };
+        for pass in Pass::ALL {
+            let fewer: Vec<Pass> = self.passes.iter().copied().filter(|kept| *kept != pass).collect();
+            if let Err(error) = self.way.plays(&model, lines, &fewer) {
+                (self.passes, self.error) = (fewer, error);
+            }
+        }
+        format!("{:?}, after the passes {:?}: {}\n{chart}", self.way, self.passes, self.error)
+    }
 }
