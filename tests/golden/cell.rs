@@ -452,9 +452,8 @@ impl Cell {
         if first_ {
             self.region_0 = self.region_0.with(__CellRegion0::Ready);
         }
-        let edge0_now_: ::grafcet::__private::bool = inputs_.part;
         if first_ {
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.part;
         }
         let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
         let mut clears_auto_idle_: ::grafcet::__private::bool = false;
@@ -475,7 +474,7 @@ impl Cell {
                         self.region_1 = __CellRegion1::NONE;
                         self.region_2 = __CellRegion2::NONE;
                         if was_state_count_ == __CellRegion2::Count && !self.edge0_before
-                            && edge0_now_
+                            && inputs_.part
                         {
                             next_n_ = {
                                 let n = self.n;
@@ -539,15 +538,9 @@ impl Cell {
                                     self.region_1 = __CellRegion1::Idle;
                                     moves_32__ = true;
                                     self.region_2 = __CellRegion2::NONE;
-                                    if !self.edge0_before && edge0_now_ {
-                                        next_n_ = {
-                                            let n = self.n;
-                                            n + 1
-                                        };
-                                    }
                                 } else {
                                     clears_auto_idle_ = false;
-                                    if !self.edge0_before && edge0_now_ {
+                                    if !self.edge0_before && inputs_.part {
                                         next_n_ = {
                                             let n = self.n;
                                             n + 1
@@ -593,14 +586,14 @@ impl Cell {
             }
             self.clamp = next_clamp_;
             self.n = next_n_;
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.part;
             evolutions_ = evolutions_.wrapping_add(1);
         }
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
         if !self.region_0.is_marked() {
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.part;
         }
         match self.region_0.state() {
             __CellRegion0::Stopped => {

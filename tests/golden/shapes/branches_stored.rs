@@ -50,9 +50,8 @@ impl Kiln {
         {
             self.delay0_out = inputs_.hot;
         }
-        let edge0_now_: bool = inputs_.start;
         if first_ {
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.start;
         }
         let inputs_ = core::hint::black_box(inputs_);
         let mut evolutions_: u32 = 0;
@@ -62,7 +61,7 @@ impl Kiln {
             let mut next_last_: core::primitive::u16 = self.last;
             match self.region_0 {
                 __KilnRegion0::Idle => {
-                    if !self.edge0_before && edge0_now_ {
+                    if !self.edge0_before && inputs_.start {
                         self.region_0 = __KilnRegion0::One;
                         self.region_1 = __KilnRegion1::Three;
                         next_count_ = {
@@ -168,14 +167,14 @@ impl Kiln {
             if !moves_31__ {
                 break;
             }
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.start;
             evolutions_ = 1;
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
         self.settled = !(first_ || evolutions_ != 0);
-        self.edge0_before = edge0_now_;
+        self.edge0_before = inputs_.start;
         match self.region_0 {
             __KilnRegion0::One => {
                 outputs_.fire = self.delay0_out;

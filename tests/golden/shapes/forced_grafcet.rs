@@ -16,9 +16,8 @@ impl Lamp {
         if first_ {
             self.situation = self.situation.with(__LampState::Off);
         }
-        let edge0_now_: bool = inputs_.next;
         if first_ {
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.next;
         }
         let mut now_state_: __LampState = self.situation.state();
         self.situation = __LampStateMark::of(now_state_);
@@ -49,7 +48,7 @@ impl Lamp {
                             now_state_ = __LampState::Off;
                         }
                     } else {
-                        if !self.edge0_before && edge0_now_ {
+                        if !self.edge0_before && inputs_.next {
                             if evolutions_ == 8 {
                                 self.situation = self.situation.marked();
                                 break;
@@ -79,7 +78,7 @@ impl Lamp {
             }
             self.situation = __LampStateMark::of(now_state_);
             self.situation = self.situation.unmarked();
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.next;
             evolutions_ = evolutions_.wrapping_add(1);
         }
         core::sync::atomic::compiler_fence(
@@ -92,7 +91,7 @@ impl Lamp {
             _ => {}
         }
         if !self.situation.is_marked() {
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.next;
         }
         outputs_
     }

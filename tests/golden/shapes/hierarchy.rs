@@ -29,16 +29,15 @@ impl Cell {
         if first_ {
             self.region_0 = __CellRegion0::Idle;
         }
-        let edge0_now_: bool = inputs_.ack;
         if first_ {
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.ack;
         }
         let inputs_ = core::hint::black_box(inputs_);
         loop {
             let mut moves_39__: bool = false;
             match self.region_0 {
                 __CellRegion0::Stopped => {
-                    if !inputs_.estop && !self.edge0_before && edge0_now_ {
+                    if !inputs_.estop && !self.edge0_before && inputs_.ack {
                         moves_39__ = true;
                         self.region_0 = __CellRegion0::Restart;
                     }
@@ -127,12 +126,12 @@ impl Cell {
             if !moves_39__ {
                 break;
             }
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.ack;
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        self.edge0_before = edge0_now_;
+        self.edge0_before = inputs_.ack;
         match self.region_0 {
             __CellRegion0::Stopped => {
                 outputs_.alarm = true;

@@ -20,13 +20,11 @@ impl Gate {
         if first_ {
             self.region_0 = __GateRegion0::Rest;
         }
-        let edge0_now_: bool = inputs_.open;
         if first_ {
-            self.edge0_before = edge0_now_;
+            self.edge0_before = inputs_.open;
         }
-        let edge1_now_: bool = inputs_.close;
         if first_ {
-            self.edge1_before = edge1_now_;
+            self.edge1_before = inputs_.close;
         }
         let inputs_ = core::hint::black_box(inputs_);
         loop {
@@ -34,11 +32,11 @@ impl Gate {
             let was_state_raise_: __GateRegion1 = self.region_1;
             let was_state_lower_: __GateRegion2 = self.region_2;
             let clears_rest_raise_: bool = self.region_0
-                == __GateRegion0::Rest && !self.edge0_before && edge0_now_;
+                == __GateRegion0::Rest && !self.edge0_before && inputs_.open;
             let clears_raise_rest_: bool = self.region_1
                 == __GateRegion1::Raise && !inputs_.open;
             let clears_rest_lower_: bool = self.region_0
-                == __GateRegion0::Rest && !self.edge1_before && edge1_now_;
+                == __GateRegion0::Rest && !self.edge1_before && inputs_.close;
             let clears_lower_rest_: bool = self.region_2
                 == __GateRegion2::Lower && !inputs_.close;
             if clears_rest_raise_ || clears_rest_lower_ {
@@ -66,14 +64,14 @@ impl Gate {
             if !moves_23__ {
                 break;
             }
-            self.edge0_before = edge0_now_;
-            self.edge1_before = edge1_now_;
+            self.edge0_before = inputs_.open;
+            self.edge1_before = inputs_.close;
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        self.edge0_before = edge0_now_;
-        self.edge1_before = edge1_now_;
+        self.edge0_before = inputs_.open;
+        self.edge1_before = inputs_.close;
         match self.region_1 {
             __GateRegion1::Raise => {
                 outputs_.up = true;

@@ -10,6 +10,7 @@
 //!
 //! Whoever looks at another region stands in front of it. Where two look at each other, they look at copies of the states.
 
+use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Statement};
 use super::parts::{Part, cut, dependent, gathers, region_of, regions, written};
 use super::uses::{Effects, each_written, is_pure, mentions, same_block, writes_to};
@@ -17,8 +18,13 @@ use super::working::rename;
 use crate::list::List;
 use crate::sorted::Set;
 
-/// By region: its place, and the one where its state before may be kept.
-pub(super) type Copies = [(PlaceId, Option<PlaceId>)];
+/// Where the state of a region stands, and where its state before may be kept.
+pub(super) struct Kept {
+    pub(super) state: PlaceId,
+    pub(super) copy: Option<PlaceId>,
+    /// It is kept there already.
+    pub(super) is_made: bool,
+}
 
 /// Each group of regions that statements decide about together is a part of its own, if that is another way to cut the list than by what depends on what, and each region
 /// moves in one part. `off` tells which truths are false where the list begins.
@@ -26,7 +32,7 @@ pub(super) fn finer<'m>(
     places: &[PlaceInfo<'m>],
     list: &[Statement<'m>],
     off: &dyn Fn(PlaceId) -> bool,
-    copies: &Copies,
+    copies: &[Kept],
 ) -> Option<Vec<Part<'m>>> {
     let dependent = dependent(places, list, &regions(places, list));
     let deciding = Deciding::of(places, list);
@@ -83,9 +89,9 @@ impl Deciding {
     }
 
     /// By statement, the regions that it decides about, or else those whose states, or what decides about them, it asks for.
-    fn belonging(&self, places: &[PlaceInfo<'_>], list: &[Statement<'_>], copies: &Copies) -> Vec<Set<usize>> {
+    fn belonging(&self, places: &[PlaceInfo<'_>], list: &[Statement<'_>], copies: &[Kept]) -> Vec<Set<usize>> {
         let (mut all, mut asked) = (self.regions.clone(), self.places.clone());
-        for (region, (_, copy)) in copies.iter().enumerate() {
+        for (region, Kept { copy, .. }) in copies.iter().enumerate() {
             if let Some(copy) = copy {
                 asked[copy.0] = Set::new();
                 asked[copy.0].insert(region);
@@ -107,13 +113,13 @@ impl Deciding {
         all
     }
 
-    /// Where groups look at each other's states, they look at copies of them, made in front of all. None, where one may not be made.
-    fn with_copies<'m>(&self, mut list: Vec<Statement<'m>>, copies: &Copies) -> Option<Vec<Statement<'m>>> {
+    /// Where groups look at each other's states, they look at copies of them, made in front of all if they are not there. None, where one may not be made.
+    fn with_copies<'m>(&self, mut list: Vec<Statement<'m>>, copies: &[Kept]) -> Option<Vec<Statement<'m>>> {
         let reads = list.iter().map(|one| Effects::of(one).reads).list();
         let mut looks: Vec<(usize, usize)> = Vec::new();
         for (own, reads) in self.regions.iter().zip(&reads) {
             let Some(own) = own.first() else { continue };
-            for (region, _) in copies.iter().enumerate().filter(|(_, (state, _))| reads.contains(state)) {
+            for (region, _) in copies.iter().enumerate().filter(|(_, kept)| reads.contains(&kept.state)) {
                 let (group, other) = (self.groups.find(*own), self.groups.find(region));
                 looks.extend((group != other).then_some((group, other)));
             }
@@ -129,7 +135,7 @@ impl Deciding {
             }
         }
         let mut front = Vec::new();
-        for (region, (state, copy)) in copies.iter().enumerate() {
+        for (region, Kept { state, copy, is_made }) in copies.iter().enumerate() {
             let moved = list.iter().position(|one| writes_to(one, *state)).unwrap_or(list.len());
             let mut is_copied = false;
             for at in 0..list.len() {
@@ -137,7 +143,7 @@ impl Deciding {
                 let is_circle = looks.contains(&(self.groups.find(*own), self.groups.find(region)));
                 if is_circle && reads[at].contains(state) {
                     rename(&mut list[at..=at], *state, (*copy).filter(|_| at < moved)?);
-                    is_copied = true;
+                    is_copied = !is_made;
                 }
             }
             if let (Some(copy), true) = (copy, is_copied) {
@@ -164,10 +170,14 @@ fn gathered<'m>(places: &[PlaceInfo<'m>], list: &[Statement<'m>], off: &dyn Fn(P
     let mut written: Set<PlaceId> = Set::new();
     let mut new = list.to_vec();
     for statement in &mut new {
-        if let Statement::Set(place, Expr::Any(asked)) = statement {
+        if let Statement::Set(place, value) = statement {
             let is_first = off(*place) && adds.contains(place) && !written.contains(place) && !places[place.0].is_field;
-            if is_first && asked.iter().all(|part| is_pure(part) && !mentions(part, *place)) {
-                asked.insert(0, Expr::Place(*place));
+            if is_first && is_pure(value) && !mentions(value, *place) {
+                let asked = match std::mem::replace(value, no()) {
+                    Expr::Any(parts) => parts,
+                    one => vec![one],
+                };
+                *value = Expr::Any(std::iter::once(Expr::Place(*place)).chain(asked).collect());
             }
         }
         each_written(std::slice::from_ref(statement), &mut |place| _ = written.insert(place));

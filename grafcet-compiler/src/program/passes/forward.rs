@@ -195,10 +195,11 @@ fn occurrences(place: PlaceId, statement: &Statement<'_>) -> Option<usize> {
             }
             Some(sum)
         }
+        // Read again in each round.
+        Statement::Loop { body, .. } => Some(2 * all_occurrences(place, body)?),
         other => {
             let effects = Effects::of(other);
-            let loops = matches!(other, Statement::Loop { .. });
-            if effects.reads.contains(&place) && (loops || effects.writes.contains(&place)) {
+            if effects.reads.contains(&place) && effects.writes.contains(&place) {
                 return None;
             }
             let Statement::Run(run) = other else { return Some(0) };

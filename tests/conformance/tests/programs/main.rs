@@ -12,7 +12,7 @@ use grafcet_compiler::parse;
 use grafcet_compiler::program::passes::Pass;
 use grafcet_compiler::program::run::{Error, Foreign, Machine};
 use grafcet_compiler::program::{Refused, Role, Statement, Value, naive};
-use grafcet_conformance::program::{Outcome, Programmed, compare, program as optimised, sleeps};
+use grafcet_conformance::program::{Outcome, Programmed, compare, program as optimised, rests, sleeps};
 use grafcet_conformance::{chart, fragments, play, random, reader};
 use proc_macro2::TokenStream;
 
@@ -158,6 +158,18 @@ fn a_block_that_ends_is_looked_at_again() {
     );
     let lines = reader::read("---\n---\n@0 | |\ngo @1 | |\ngo @30 | |\n").expect("a timeline").lines;
     assert_eq!(sleeps(&model, &lines, &[]), Ok(()));
+}
+
+/// An edge of an edge that only an action looks at: what conditions would have seen of it is a cycle late, and nobody asks.
+#[test]
+fn an_edge_that_nothing_asks_for_is_no_reason_to_go_on() {
+    let model = read(
+        "sfc C { input a: bool; output w: bool; initial step A { L 4ms { w = rising(falling(B.X)); } } step B; step D { w if 6ms/D; } \
+         A -[!a]-> B -[a]-> D; }",
+    );
+    let lines =
+        reader::read("---\n---\n@0 | |\n@1 | |\na @2 | |\na @3 | |\na @4 | |\na @5 | |\n").expect("a timeline").lines;
+    assert_eq!(rests(&model, &lines, &[]), Ok(()));
 }
 
 /// What the checks refuse has no program, whoever asks.

@@ -465,6 +465,18 @@ fn long_selections_are_not_taken_apart_again_and_again() {
     }
 }
 
+/// What a search compares an edge with it reads where it asks for it, in each round.
+#[test]
+fn a_search_reads_its_edges_where_it_asks_for_them() {
+    let model = read(
+        "grafcet Sorter { input a, b, c: bool; output p, q: bool; initial step Idle; step Left { p; } step Right { q; } \
+         Idle -[rising(a) && !b]-> Left -[rising(b)]-> Right -[falling(c)]-> Idle; }",
+    );
+    let program = optimised(&model, &Pass::ALL).expect("a program").to_string();
+    assert!(!program.contains("edge0.now") && program.contains("!edge0.before && a"), "{program}");
+    each_left_out(&model, &storm(&["a", "b", "c"], 300), 120);
+}
+
 /// All passes, and all but one, do at a timeline what the interpreter does; asleep at its first lines.
 pub(super) fn each_left_out(model: &Model, text: &str, asleep: usize) {
     let lines = reader::read(text).expect("a timeline").lines;

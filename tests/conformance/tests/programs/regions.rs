@@ -29,6 +29,41 @@ fn branches_tell_by_their_states_whether_they_have_moved() {
     }
 }
 
+/// A count that changes with the steps does not tell more than they do; one that changes beside them does. That a time is over is also marked by no step at all,
+/// where the step that stays active is not the first of its branch.
+#[test]
+fn counts_move_with_the_steps() {
+    for (more, told) in [("", true), ("N n = (n + 1) % 50;", false), ("N n = 3;", false)] {
+        let model = read(&format!(
+            "sfc Holes {{ input a, b, c: bool; output p, q: bool; var n: u8 = 0; initial step Idle {{ P1 n = 0; }} step Move {{ P1 n = (n + 1) % 50; p; }}              step Down {{ {more} }} step End; step Heat {{ q; }} step Hot; Idle -[a]-> (Move, Heat); Move -[b && 2ms/Move]-> Down; Down -[n < 3 && !b]-> Move;              Down -[n >= 3 && !b]-> End; Heat -[c]-> Hot; (End, Hot) -[7ms/Hot && !c]-> Idle; }}"
+        ));
+        let program = optimised(&model, &Pass::ALL).expect("a program");
+        assert_eq!(program.place(Role::Settled).is_none(), told, "{more}: {program}");
+        assert_eq!(program.place(Role::Reading).is_none(), told, "{more}: {program}");
+        let marks = program.to_string().matches("before.state.Heat = none").count();
+        assert_eq!(marks, usize::from(told), "{more}: {program}");
+        each_left_out(&model, &storm(&["a", "b", "c"], 300), 120);
+    }
+}
+
+/// Branches within a branch: what joins them is asked first, and behind that each is a match of its own, in which no other one has a step that cannot be there.
+#[test]
+fn branches_stand_within_a_branch() {
+    for more in ["", "&& 2ms/A2", "&& 3ms/R2"] {
+        let model = read(&format!(
+            "sfc Nested {{ input a, b, c: bool; output p, q, r: bool; initial step Start; step A; step A1 {{ p; }} step A2; step B1 {{ q; }} step B2; step End;              step R1; step R2 {{ r; }} step R3; Start -[a]-> (A, R1); A -[b]-> (A1, B1); A1 -[a]-> A2; B1 -[c && 3ms/B1]-> B2; (A2, B2) -[b {more}]-> End;              R1 -[c]-> R2; R1 -[!c && a]-> R3; R2 -[2ms/R2]-> R3; (End, R3) -[!a]-> Start; }}"
+        ));
+        let program = optimised(&model, &Pass::ALL).expect("a program").to_string();
+        let cycle = program.split("\ncycle\n").nth(1).expect("a cycle");
+        assert!(!cycle.contains("clears.") && !cycle.contains("entered."), "{more}: {cycle}");
+        let (join, others) = cycle.split_once("if state.Start is End && state.R1 is R3 && !a:").expect("the join");
+        assert!(!join.contains("match state.B1"), "{more}: {cycle}");
+        let joined = others.split("else:").next().expect("what follows it");
+        assert!(!joined.contains("state.B1"), "beside End no step of B is active: {more}: {cycle}");
+        each_left_out(&model, &storm(&["a", "b", "c"], 400), 120);
+    }
+}
+
 /// A branch that looks at a step of another one is a match of its own, in front of it or, where they look at each other, behind a copy of its state. What clears a join is
 /// asked before, whatever stands where in the chart.
 #[test]
@@ -57,6 +92,26 @@ fn branches_look_at_each_other() {
         if let Some(copy) = copied {
             assert!(cycle.contains(&format!("{copy} is A")), "{of_a}, {of_b}: {cycle}");
         }
+        each_left_out(&model, &storm(&["a", "b", "c"], 300), 60);
+    }
+}
+
+/// The same in a search: who looks stands in front, and what all rounds compare with is copied once.
+#[test]
+fn partial_grafcets_look_at_each_other() {
+    for (of_a, of_b) in [("", "&& !A::A2.X"), ("&& !B::B2.X", "&& !A::A2.X && !A::A3.X")] {
+        let model = read(&format!(
+            "grafcet Hoists {{ input a, b, c: bool; output p, q: bool; partial A {{ initial step A1; step A2 {{ p; }} step A3; A1 -[a {of_a}]-> A2; \
+             A2 -[c && !a && 3ms/A2]-> A3 -[!c]-> A1; }} partial B {{ initial step B1; step B2 {{ q; }} step B3; B1 -[b && !c {of_b}]-> B2; \
+             B2 -[c && 5ms/B2]-> B3 -[!b]-> B1; }} }}"
+        ));
+        let program = optimised(&model, &Pass::ALL).expect("a program").to_string();
+        let cycle = program.split("\ncycle\n").nth(1).expect("a cycle");
+        assert!(!cycle.contains("clears.") && !cycle.contains("entered."), "{of_a}, {of_b}: {cycle}");
+        for step in ["state.A1 = A2", "state.B1 = B2"] {
+            assert_eq!(cycle.matches(step).count(), 1, "{of_a}, {of_b}: {cycle}");
+        }
+        assert_eq!(cycle.matches("was.state.A1 = state.A1").count(), 1, "{of_a}, {of_b}: {cycle}");
         each_left_out(&model, &storm(&["a", "b", "c"], 300), 60);
     }
 }

@@ -219,7 +219,7 @@ impl Before {
 }
 
 impl Region {
-    /// A step from which no transition leads to one of those that stay active.
+    /// A step from which no transition leads to one of those that stay active, or no step at all, where they are not entered so.
     fn find_mark(&mut self, entries: &[(Vec<Value>, Value)], steps: &[StepId]) -> Option<()> {
         let leads = |from: Value| {
             let mut found = false;
@@ -230,8 +230,10 @@ impl Region {
             found
         };
         let free = |step: &&StepId| !self.outlasted.contains(step) && !leads(Value::Step(Some(**step)));
-        let step = steps.iter().find(free).copied()?;
-        self.mark = Value::Step(Some(step));
+        let step = steps.iter().find(free).copied();
+        let none = Value::Step(None);
+        let is_none_free = self.can_be_empty && !leads(none);
+        self.mark = step.map(|step| Value::Step(Some(step))).or_else(|| is_none_free.then_some(none))?;
         Some(())
     }
 

@@ -1,6 +1,6 @@
 //! What the ways through a cycle of several regions do with their states and times, all that can be: whether each of them tells rightly whether it has moved.
 
-use super::super::super::{Expr, PlaceId, Program, Role, Statement, Type, Value};
+use super::super::super::{Comparison, Expr, PlaceId, Program, Role, Statement, Type, Value};
 use super::super::fold::initial;
 use super::super::uses::{Effects, blocks, each_read};
 use super::Before;
@@ -37,6 +37,8 @@ struct Walk<'p, 'm> {
     before: &'p Before,
     /// Truths by which a way says whether it has settled.
     gathered: Vec<PlaceId>,
+    /// Places whose value before is kept somewhere, and where.
+    kept: Vec<(PlaceId, PlaceId)>,
     entries: Vec<(Vec<Value>, Value)>,
 }
 
@@ -53,13 +55,16 @@ impl Ways {
                 }
             });
         }
-        let mut walk = Walk { program, before, gathered, entries: Vec::new() };
-        if 2 + 2 * before.regions.len() + walk.gathered.len() > 31 {
+        let mut kept = Vec::new();
+        find_kept(program, &program.cycle, &mut kept);
+        let mut walk = Walk { program, before, gathered, kept, entries: Vec::new() };
+        if 2 + 2 * before.regions.len() + walk.gathered.len() + walk.kept.len() > 31 {
             return None;
         }
         let mut way = Way { done: Set::new(), possible: Vec::new() };
-        // Whatever the last cycle has told.
-        way.done.extend([0, SETTLED]);
+        // Whatever the last cycle has told, and whatever is kept.
+        let changed = (0..walk.kept.len()).fold(0, |bits, at| bits | walk.changed(at));
+        way.done.extend([changed, changed | SETTLED]);
         for region in &before.regions {
             let start = initial(&program.places[region.state.0]);
             let mut all: Vec<Value> = start.into_iter().filter(|value| matches!(value, Value::Start(_))).collect();
@@ -90,6 +95,20 @@ impl<'m> Walk<'_, 'm> {
     fn gathers(&self, place: PlaceId) -> Option<Done> {
         let at = self.gathered.iter().position(|other| *other == place)?;
         Some(1 << (2 + 2 * self.before.regions.len() + at))
+    }
+
+    /// A place may have another value than the one that is kept of it.
+    fn changed(&self, at: usize) -> Done {
+        1 << (2 + 2 * self.before.regions.len() + self.gathered.len() + at)
+    }
+
+    /// What is written may have another value than before.
+    fn write(&self, writes: impl Fn(PlaceId) -> bool, way: &mut Way) {
+        for (at, (place, copy)) in self.kept.iter().enumerate() {
+            if writes(*place) || writes(*copy) {
+                way.each(&|done| vec![done | self.changed(at)]);
+            }
+        }
     }
 
     /// Whether a way has told what has happened, and has begun what it has entered.
@@ -144,6 +163,7 @@ impl<'m> Walk<'_, 'm> {
                         !matches!(self.program.places[place.0].role, Role::State(_) | Role::Began(_) | Role::Settled)
                     };
                     writes.iter().all(own).then_some(())?;
+                    self.write(|place| writes.contains(&place), way);
                 }
             }
             if way.done.len() > MOST {
@@ -196,6 +216,13 @@ impl<'m> Walk<'_, 'm> {
         if place == self.before.settled {
             return self.tell(value, way);
         }
+        let is_copied =
+            |(of, copy): &(PlaceId, PlaceId)| *copy == place && matches!(value, Expr::Place(from) if from == of);
+        if let Some(at) = self.kept.iter().position(is_copied) {
+            way.each(&|done| vec![done & !self.changed(at)]);
+            return Some(());
+        }
+        self.write(|written| written == place, way);
         if let Some(bit) = self.gathers(place) {
             if way.done.iter().all(|done| self.truth(value, *done).is_some()) {
                 way.each(&|done| vec![with(done, bit, self.truth(value, done) == Some(true))]);
@@ -229,20 +256,25 @@ impl<'m> Walk<'_, 'm> {
         Some(())
     }
 
-    /// What an expression over gathered truths comes to.
+    /// What an expression over gathered truths and kept values comes to.
     fn truth(&self, expr: &Expr<'m>, done: Done) -> Option<bool> {
         Some(match expr {
             Expr::Value(Value::Bool(truth)) => *truth,
             Expr::Place(place) => done & self.gathers(*place)? != 0,
             Expr::Not(inner) => !self.truth(inner, done)?,
             Expr::All(parts) | Expr::Any(parts) => {
-                let is_any = matches!(expr, Expr::Any(_));
-                let mut truth = !is_any;
-                for part in parts {
-                    let part = self.truth(part, done)?;
-                    truth = if is_any { truth || part } else { truth && part };
+                // One that decides is enough.
+                let decides = matches!(expr, Expr::Any(_));
+                let mut truths = parts.iter().map(|part| self.truth(part, done));
+                if truths.clone().any(|truth| truth == Some(decides)) {
+                    return Some(decides);
                 }
-                truth
+                truths.all(|truth| truth.is_some()).then_some(!decides)?
+            }
+            Expr::Compare(how @ (Comparison::Equal | Comparison::Differs), a, b) => {
+                let (Expr::Place(a), Expr::Place(b)) = (&**a, &**b) else { return None };
+                let at = self.kept.iter().position(|(of, copy)| [(*of, *copy), (*copy, *of)].contains(&(*a, *b)))?;
+                (done & self.changed(at) == 0).then_some(*how == Comparison::Equal)?
             }
             _ => return None,
         })
@@ -278,6 +310,21 @@ impl Way {
 
 fn with(done: Done, bit: Done, truth: bool) -> Done {
     if truth { done | bit } else { done & !bit }
+}
+
+/// The places of which a cycle keeps a copy, and where: no states, as these are followed by themselves.
+fn find_kept<'m>(program: &Program<'m>, statements: &[Statement<'m>], found: &mut Vec<(PlaceId, PlaceId)>) {
+    for statement in statements {
+        if let Statement::Set(copy, Expr::Place(of)) = statement {
+            let is_value = !matches!(program.places[of.0].ty, Type::State(_) | Type::Bool);
+            if is_value && !program.places[copy.0].is_field && !found.contains(&(*of, *copy)) {
+                found.push((*of, *copy));
+            }
+        }
+        for block in blocks(statement) {
+            find_kept(program, block, found);
+        }
+    }
 }
 
 /// The truths of the cycle by which a place is set.

@@ -7,7 +7,7 @@ use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::Index;
 use super::super::split::merged;
-use super::super::uses::{Effects, each_read, writes_to};
+use super::super::uses::{Effects, each_asked, each_read, writes_to};
 use super::{Env, Several, weight};
 use crate::list::List;
 use crate::program::build::not;
@@ -16,6 +16,13 @@ use crate::sorted::Set;
 
 /// Of so many conditions each is tried.
 const FEW: usize = 3;
+
+/// How many statements there are, and how often they ask for a place: a truth of many parts is no short statement.
+fn size(statements: &[Statement<'_>]) -> usize {
+    let mut size = weight(statements);
+    each_asked(statements, &mut |_| size += 1);
+    size
+}
 
 impl<'m> Several<'_, 'm> {
     /// A part of regions that depend on each other.
@@ -29,7 +36,7 @@ impl<'m> Several<'_, 'm> {
             Some(done) if synchronised.len() > FEW => done,
             Some(done) => {
                 let by_condition = self.by_condition(part, &synchronised, env);
-                if weight(&done) < weight(&by_condition) { done } else { by_condition }
+                if size(&done) < size(&by_condition) { done } else { by_condition }
             }
             None => self.by_condition(part, &synchronised, env),
         }
@@ -98,9 +105,6 @@ impl<'m> Several<'_, 'm> {
                 found.push(at);
             }
         }
-        if !self.by_group {
-            return found;
-        }
         let regions = Deciding::of(self.places, &part.statements).regions;
         let deciding = found.iter().copied().filter(|at| regions[*at].len() > 1).list();
         if deciding.is_empty() { found } else { deciding }
@@ -115,9 +119,9 @@ impl<'m> Several<'_, 'm> {
                 break;
             }
             let Some(asked) = self.asked_first(part.clone(), *at, env) else { continue };
-            let weight = weight(&asked);
-            if best.as_ref().is_none_or(|(least, _)| weight < *least) {
-                best = Some((weight, asked));
+            let size = size(&asked);
+            if best.as_ref().is_none_or(|(least, _)| size < *least) {
+                best = Some((size, asked));
             }
         }
         best.map_or(part.statements, |(_, best)| best)
@@ -156,7 +160,8 @@ impl<'m> Several<'_, 'm> {
             let mark = engine.trail.len();
             engine.tell(&condition, holds);
             engine.note(place, Fact::Is(Value::Bool(holds)));
-            let env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later: env.later.clone() };
+            let mut env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later: env.later.clone() };
+            self.narrow(&mut env);
             let mut way = self.spec(&rest, &env);
             if env.later.contains(&place) || self.read_after.contains(place) {
                 way.insert(0, Statement::Set(place, Expr::Value(Value::Bool(holds))));
@@ -174,5 +179,25 @@ impl<'m> Several<'_, 'm> {
         }
         body.extend(behind);
         Some(body)
+    }
+
+    /// Of each region the states that one of the others cannot be beside are left out.
+    fn narrow(&self, env: &mut Env) {
+        let possible = |env: &Env, region: usize| match env.facts[self.states[region].0] {
+            Fact::Is(Value::Step(step)) => vec![step],
+            Fact::Among(list) => env.lists[list].clone(),
+            _ => self.possible(region),
+        };
+        for (region, state) in self.states.iter().enumerate() {
+            let Fact::Among(list) = env.facts[state.0] else { continue };
+            let mut left = env.lists[list].clone();
+            for other in (0..self.states.len()).filter(|other| *other != region) {
+                let beside = possible(env, other);
+                left.retain(|step| beside.iter().any(|one| self.may_meet(*step, *one)));
+            }
+            if !left.is_empty() && left.len() < env.lists[list].len() {
+                env.facts[state.0] = env.among(left);
+            }
+        }
     }
 }

@@ -29,7 +29,7 @@ pub(super) use single::weight;
 use std::cell::Cell;
 
 use super::super::{Deadline, Expr, Initial, Meeting, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::belonging::finer;
+use super::belonging::{Kept, finer};
 use super::dead::read_after;
 use super::engine::{Among, Engine, Fact};
 use super::flat::flat;
@@ -102,9 +102,6 @@ pub(super) struct Several<'p, 'm> {
     /// What a state tells of another region.
     pub(super) ties: Vec<Tie>,
     pub(super) meetings: Vec<Meeting>,
-    /// A region that only looks at the state of another one is a part of its own. In a search, which comes to all parts again and again, one condition asked first
-    /// does better (two lifts as `grafcet`, Cortex-M3: 400 bytes and 91 instructions, and 528 and 106 so).
-    by_group: bool,
     /// So many statements and places may still be looked at for conditions that are asked first.
     effort: Cell<usize>,
 }
@@ -122,8 +119,7 @@ impl<'p, 'm> Several<'p, 'm> {
         let asked = program.deadline.as_ref().is_some_and(asks);
         let mut after = read_after(program);
         after.put(first, false);
-        let several = (!asked).then(|| Self::over(program, after)).flatten()?;
-        Some(Self { by_group: true, ..several })
+        (!asked).then(|| Self::over(program, after)).flatten()
     }
 
     /// For statements behind which these places are read.
@@ -150,7 +146,6 @@ impl<'p, 'm> Several<'p, 'm> {
             full: program.full.clone(),
             ties: Vec::new(),
             meetings: Vec::new(),
-            by_group: false,
             effort: Cell::new(effort(program)),
         })
     }
@@ -290,7 +285,7 @@ impl<'p, 'm> Several<'p, 'm> {
         let body = self.swept(body, env);
         let off = |place: PlaceId| env.facts[place.0] == Fact::Is(Value::Bool(false));
         let body = spread(self.places, body, &off);
-        let by_group = self.by_group.then(|| finer(self.places, &body, &off, &self.copies(&body, env))).flatten();
+        let by_group = finer(self.places, &body, &off, &self.copies(&body, env));
         let mut parts = by_group.unwrap_or_else(|| parts(self.places, body));
         join_wide(&mut parts, self.places);
         let mut later = vec![env.later.clone()];
@@ -311,10 +306,15 @@ impl<'p, 'm> Several<'p, 'm> {
     }
 
     /// By region, where its state before may be kept.
-    fn copies(&self, list: &[Statement<'m>], env: &Env) -> Vec<(PlaceId, Option<PlaceId>)> {
+    fn copies(&self, list: &[Statement<'m>], env: &Env) -> Vec<Kept> {
         let free = self.free(list, env);
         let of = self.states.iter().zip(&self.was).enumerate();
-        of.map(|(region, (state, was))| (*state, was.filter(|_| free.contains(&region)))).list()
+        of.map(|(region, (state, was))| {
+            let copy = was.filter(|_| free.contains(&region));
+            let is_made = copy.is_some_and(|copy| env.facts[copy.0] == Fact::Copy(*state));
+            Kept { state: *state, copy, is_made }
+        })
+        .list()
     }
 
     fn part(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {

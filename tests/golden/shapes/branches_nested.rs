@@ -1,0 +1,168 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Nested {
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &NestedInputs,
+        #[cfg(doc)]
+        inputs: &NestedInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> NestedOutputs {
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut outputs_ = const {
+            NestedOutputs {
+                ready: false,
+                feed: false,
+                clamp: false,
+                heat: false,
+                eject: false,
+            }
+        };
+        self.reading = now_;
+        match self.region_0 {
+            __NestedRegion0::INIT => {
+                self.region_0 = __NestedRegion0::Idle;
+                self.since_heat = now_;
+                self.since_return = now_;
+                outputs_.ready = true;
+            }
+            __NestedRegion0::Idle => {
+                if inputs_.start {
+                    self.region_0 = __NestedRegion0::Feed;
+                    self.region_2 = __NestedRegion2::Return;
+                    self.since_return = now_;
+                    outputs_.feed = true;
+                    self.passed_heat = false;
+                    self.settled = false;
+                } else {
+                    outputs_.ready = true;
+                    self.passed_heat = false;
+                    self.settled = true;
+                }
+            }
+            _ => {
+                if self.region_0 == __NestedRegion0::Gone
+                    && self.region_2 == __NestedRegion2::Home && !inputs_.start
+                {
+                    outputs_.ready = true;
+                    self.passed_heat = false;
+                    self.settled = false;
+                    self.region_2 = __NestedRegion2::NONE;
+                    self.region_0 = __NestedRegion0::Idle;
+                } else {
+                    let mut any_58__: bool = false;
+                    match self.region_0 {
+                        __NestedRegion0::Feed => {
+                            if inputs_.near {
+                                self.region_0 = __NestedRegion0::Clamp;
+                                self.region_1 = __NestedRegion1::Heat;
+                                self.since_heat = now_;
+                                outputs_.heat = true;
+                                outputs_.clamp = true;
+                                self.passed_heat = false;
+                                any_58__ = true;
+                            } else {
+                                outputs_.feed = true;
+                                self.passed_heat = false;
+                            }
+                        }
+                        __NestedRegion0::Eject => {
+                            if inputs_.done {
+                                self.region_0 = __NestedRegion0::Gone;
+                                self.passed_heat = false;
+                                any_58__ = true;
+                            } else {
+                                outputs_.eject = true;
+                                self.passed_heat = false;
+                            }
+                        }
+                        __NestedRegion0::Gone => {
+                            self.passed_heat = false;
+                        }
+                        _ => {
+                            if self.region_0 == __NestedRegion0::Clamped
+                                && self.region_1 == __NestedRegion1::Hot
+                            {
+                                outputs_.eject = true;
+                                self.passed_heat = false;
+                                any_58__ = true;
+                                self.region_1 = __NestedRegion1::NONE;
+                                self.region_0 = __NestedRegion0::Eject;
+                            } else {
+                                match self.region_1 {
+                                    __NestedRegion1::Heat => {
+                                        if inputs_.hot
+                                            && now_.since(self.since_heat)
+                                                >= Ticks::new(1000u32)
+                                        {
+                                            self.region_1 = __NestedRegion1::Hot;
+                                            self.passed_heat = false;
+                                            any_58__ = true;
+                                        } else {
+                                            outputs_.heat = true;
+                                            self.passed_heat = now_.since(self.since_heat)
+                                                >= Ticks::new(1000u32);
+                                            if now_.since(self.since_heat)
+                                                >= Ticks::new(1000u32)
+                                            {
+                                                self.since_heat = now_
+                                                    .since(Ticks::new(1000u32));
+                                            }
+                                        }
+                                    }
+                                    __NestedRegion1::Hot | __NestedRegion1::NONE => {
+                                        self.passed_heat = false;
+                                    }
+                                }
+                                core::sync::atomic::compiler_fence(
+                                    core::sync::atomic::Ordering::SeqCst,
+                                );
+                                match self.region_0 {
+                                    __NestedRegion0::Clamp => {
+                                        if inputs_.far {
+                                            self.region_0 = __NestedRegion0::Clamped;
+                                            outputs_.clamp = true;
+                                            any_58__ = true;
+                                        } else {
+                                            outputs_.clamp = true;
+                                        }
+                                    }
+                                    __NestedRegion0::Clamped => {
+                                        outputs_.clamp = true;
+                                    }
+                                    _ => {}
+                                }
+                            }
+                        }
+                    }
+                    core::sync::atomic::compiler_fence(
+                        core::sync::atomic::Ordering::SeqCst,
+                    );
+                    match self.region_2 {
+                        __NestedRegion2::Return => {
+                            if now_.since(self.since_return)
+                                >= Ticks::new(2000u32)
+                            {
+                                self.region_2 = __NestedRegion2::Home;
+                                any_58__ = true;
+                            }
+                        }
+                        _ => {}
+                    }
+                    self.settled = !any_58__;
+                }
+            }
+        }
+        outputs_
+    }
+}
