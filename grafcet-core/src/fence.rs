@@ -10,3 +10,12 @@ pub fn fence_on_armv6m() {
     #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
     core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
 }
+
+/// No access to memory is moved across it but on ARMv6-M, where it is nothing.
+///
+/// A function of four arguments has no register left on the others that short instructions name, before it saves one, which LLVM does last. What is read behind this anew, as the clock is from where it is kept, takes none meanwhile.
+#[inline]
+pub fn fence_beyond_armv6m() {
+    #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+}

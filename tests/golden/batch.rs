@@ -444,6 +444,7 @@ impl Batch {
         };
         let elapsed_: ::grafcet::__private::Ticks = now_.since(self.reading);
         self.reading = now_;
+        ::grafcet::__private::fence_beyond_armv6m();
         self.time_heat = self.time_heat + elapsed_;
         self.delay0_held = if inputs_.empty == self.delay0_in {
             self.delay0_held + elapsed_
@@ -567,7 +568,7 @@ impl Batch {
                     }
                     __BatchRegion0::Stir => {
                         if ({
-                            let since_3_ = now_.since(self.since_idle);
+                            let since_3_ = self.reading.since(self.since_idle);
                             let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
                             since_3_ >= ticks_2000_
                         }) && self.delay0_out
@@ -647,10 +648,11 @@ impl Batch {
                                     40,
                                 );
                             self.was_q_heat = true;
-                            if now_.since(self.since_idle)
+                            if self.reading.since(self.since_idle)
                                 >= ::grafcet::__private::Ticks::new(2000u32)
                             {
-                                self.since_idle = now_
+                                self.since_idle = self
+                                    .reading
                                     .since(::grafcet::__private::Ticks::new(2000u32));
                             }
                             any_69__ = true;
@@ -766,7 +768,7 @@ impl Batch {
                                 if inputs_.full && self.time_heat >= self.params.soak {
                                     self.region_1 = __BatchRegion1::NONE;
                                     self.region_0 = __BatchRegion0::Stir;
-                                    self.since_idle = now_;
+                                    self.since_idle = self.reading;
                                     self.acted_heat = 7;
                                     self.held_heat_3_ = false;
                                     self.held_stir_7_ = true;

@@ -274,6 +274,8 @@ pub enum Fence {
     Memory,
     /// The same on ARMv6-M alone.
     Armv6m,
+    /// The same everywhere else.
+    BeyondArmv6m,
     /// What has been found out of the inputs in front of it is not known any more: none is read before it is asked for.
     Inputs,
 }

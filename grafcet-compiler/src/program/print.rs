@@ -200,6 +200,7 @@ impl Program<'_> {
             Statement::Break => "break".to_owned(),
             Statement::Fence(Fence::Memory) => "fence".to_owned(),
             Statement::Fence(Fence::Armv6m) => "fence on ARMv6-M".to_owned(),
+            Statement::Fence(Fence::BeyondArmv6m) => "fence but on ARMv6-M".to_owned(),
             Statement::Fence(Fence::Inputs) => "fence inputs".to_owned(),
             Statement::Run(run) => {
                 let writes = run.writes.iter().map(|write| self.name(write.to).to_owned()).collect::<Vec<_>>();

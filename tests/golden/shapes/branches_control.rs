@@ -27,11 +27,12 @@ impl Batch {
         };
         let elapsed_: Ticks = now_.since(self.reading);
         self.reading = now_;
+        fence_beyond_armv6m();
         match self.region_0 {
             __BatchRegion0::INIT => {
                 self.region_0 = __BatchRegion0::Idle;
-                self.since_heat = now_;
-                self.since_idle = now_;
+                self.since_heat = self.reading;
+                self.since_idle = self.reading;
             }
             _ => {
                 let last_count_: core::primitive::u16 = self.count;
@@ -47,8 +48,8 @@ impl Batch {
                         if inputs_.start {
                             self.region_0 = __BatchRegion0::Fill;
                             self.region_1 = __BatchRegion1::Heat;
-                            self.since_idle = now_;
-                            self.since_heat = now_;
+                            self.since_idle = self.reading;
+                            self.since_heat = self.reading;
                             on_fill_1__ = true;
                             self.s_ff_lamp = false;
                             outputs_.heat = true;
@@ -146,11 +147,11 @@ impl Batch {
                         }
                     }
                     __BatchRegion0::Stir => {
-                        if now_.since(self.since_idle)
+                        if self.reading.since(self.since_idle)
                             >= Ticks::new(2000u32)
                         {
                             self.region_0 = __BatchRegion0::Drain;
-                            self.since_idle = now_;
+                            self.since_idle = self.reading;
                             on_drain_8__ = true;
                             self.sd_ff_pump = false;
                             outputs_.lamp = self.s_ff_lamp;
@@ -242,7 +243,7 @@ impl Batch {
                     __BatchRegion0::Drain => {
                         if !inputs_.full {
                             self.region_0 = __BatchRegion0::Idle;
-                            self.since_idle = now_;
+                            self.since_idle = self.reading;
                             outputs_.lamp = self.s_ff_lamp;
                             by_leaving_stir_7__ = self.was_q_stir_7_
                                 && self.held_stir_7_;
@@ -302,7 +303,7 @@ impl Batch {
                             on_drain_8__ = true;
                             self.sd_ff_pump = false;
                             outputs_.lamp = self.s_ff_lamp
-                                || now_.since(self.since_idle)
+                                || self.reading.since(self.since_idle)
                                     >= Ticks::new(1000u32);
                             by_leaving_stir_7__ = self.was_q_stir_7_
                                 && self.held_stir_7_;
@@ -358,10 +359,11 @@ impl Batch {
                             }
                             turned_ = self.was_q_stir_7_;
                             self.was_q_stir_7_ = false;
-                            if now_.since(self.since_idle)
+                            if self.reading.since(self.since_idle)
                                 >= Ticks::new(1000u32)
                             {
-                                self.since_idle = now_
+                                self.since_idle = self
+                                    .reading
                                     .since(Ticks::new(1000u32));
                             }
                             any_59__ = turned_;
@@ -371,12 +373,12 @@ impl Batch {
                         match self.region_1 {
                             __BatchRegion1::Heat => {
                                 if inputs_.full
-                                    && now_.since(self.since_heat)
+                                    && self.reading.since(self.since_heat)
                                         >= Ticks::new(5000u32)
                                 {
                                     self.region_1 = __BatchRegion1::NONE;
                                     self.region_0 = __BatchRegion0::Stir;
-                                    self.since_idle = now_;
+                                    self.since_idle = self.reading;
                                     self.sd_ff_pump = true;
                                     outputs_.lamp = self.s_ff_lamp;
                                     self.held_stir_7_ = true;
@@ -407,7 +409,7 @@ impl Batch {
                                 } else {
                                     on_fill_1__ = true;
                                     self.s_ff_lamp = false;
-                                    outputs_.heat = now_.since(self.since_heat)
+                                    outputs_.heat = self.reading.since(self.since_heat)
                                         < Ticks::new(3000u32);
                                     by_leaving_stir_7__ = self.was_q_stir_7_
                                         && self.held_stir_7_;
@@ -463,10 +465,11 @@ impl Batch {
                                     }
                                     turned_ = self.was_q_stir_7_;
                                     self.was_q_stir_7_ = false;
-                                    if now_.since(self.since_heat)
+                                    if self.reading.since(self.since_heat)
                                         >= Ticks::new(5000u32)
                                     {
-                                        self.since_heat = now_
+                                        self.since_heat = self
+                                            .reading
                                             .since(Ticks::new(5000u32));
                                     }
                                     any_59__ = turned_;

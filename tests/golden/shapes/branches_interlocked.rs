@@ -58,6 +58,7 @@ impl Hoists {
                             if inputs_.call_a && self.region_1 != __HoistsRegion1::LiftB
                             {
                                 self.region_0 = __HoistsRegion0::LiftA;
+                                outputs_.lift_a = true;
                             }
                         }
                         __HoistsRegion0::LiftA => {
@@ -67,6 +68,7 @@ impl Hoists {
                             {
                                 self.region_0 = __HoistsRegion0::EndA;
                             } else {
+                                outputs_.lift_a = true;
                                 if now_.since(self.since_idle)
                                     >= Ticks::new(2000u32)
                                 {
@@ -75,12 +77,6 @@ impl Hoists {
                                     self.before_state_idle = __HoistsRegion0::Idle;
                                 }
                             }
-                        }
-                        _ => {}
-                    }
-                    match self.region_0 {
-                        __HoistsRegion0::LiftA => {
-                            outputs_.lift_a = true;
                         }
                         _ => {}
                     }
@@ -95,6 +91,7 @@ impl Hoists {
                             {
                                 self.region_1 = __HoistsRegion1::LiftB;
                                 self.since_waitb = now_;
+                                outputs_.lift_b = true;
                             }
                         }
                         __HoistsRegion1::LiftB => {
@@ -105,6 +102,7 @@ impl Hoists {
                                 self.region_1 = __HoistsRegion1::EndB;
                                 self.since_waitb = now_;
                             } else {
+                                outputs_.lift_b = true;
                                 if now_.since(self.since_waitb)
                                     >= Ticks::new(1000u32)
                                 {
@@ -113,12 +111,6 @@ impl Hoists {
                                     self.before_state_waitb = __HoistsRegion1::EndB;
                                 }
                             }
-                        }
-                        _ => {}
-                    }
-                    match self.region_1 {
-                        __HoistsRegion1::LiftB => {
-                            outputs_.lift_b = true;
                         }
                         _ => {}
                     }

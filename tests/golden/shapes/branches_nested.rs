@@ -29,24 +29,23 @@ impl Nested {
             }
         };
         self.reading = now_;
+        fence_beyond_armv6m();
         match self.region_0 {
             __NestedRegion0::INIT => {
                 self.region_0 = __NestedRegion0::Idle;
-                self.since_heat = now_;
-                self.since_return = now_;
+                self.since_heat = self.reading;
+                self.since_return = self.reading;
                 outputs_.ready = true;
             }
             __NestedRegion0::Idle => {
                 if inputs_.start {
                     self.region_0 = __NestedRegion0::Feed;
                     self.region_2 = __NestedRegion2::Return;
-                    self.since_return = now_;
+                    self.since_return = self.reading;
                     outputs_.feed = true;
-                    self.passed_heat = false;
                     self.settled = false;
                 } else {
                     outputs_.ready = true;
-                    self.passed_heat = false;
                     self.settled = true;
                 }
             }
@@ -55,7 +54,6 @@ impl Nested {
                     && self.region_2 == __NestedRegion2::Home && !inputs_.start
                 {
                     outputs_.ready = true;
-                    self.passed_heat = false;
                     self.settled = false;
                     self.region_2 = __NestedRegion2::NONE;
                     self.region_0 = __NestedRegion0::Idle;
@@ -66,35 +64,29 @@ impl Nested {
                             if inputs_.near {
                                 self.region_0 = __NestedRegion0::Clamp;
                                 self.region_1 = __NestedRegion1::Heat;
-                                self.since_heat = now_;
+                                self.since_heat = self.reading;
                                 outputs_.heat = true;
                                 outputs_.clamp = true;
                                 self.passed_heat = false;
                                 any_58__ = true;
                             } else {
                                 outputs_.feed = true;
-                                self.passed_heat = false;
                             }
                         }
                         __NestedRegion0::Eject => {
                             if inputs_.done {
                                 self.region_0 = __NestedRegion0::Gone;
-                                self.passed_heat = false;
                                 any_58__ = true;
                             } else {
                                 outputs_.eject = true;
-                                self.passed_heat = false;
                             }
                         }
-                        __NestedRegion0::Gone => {
-                            self.passed_heat = false;
-                        }
+                        __NestedRegion0::Gone => {}
                         _ => {
                             if self.region_0 == __NestedRegion0::Clamped
                                 && self.region_1 == __NestedRegion1::Hot
                             {
                                 outputs_.eject = true;
-                                self.passed_heat = false;
                                 any_58__ = true;
                                 self.region_1 = __NestedRegion1::NONE;
                                 self.region_0 = __NestedRegion0::Eject;
@@ -102,27 +94,25 @@ impl Nested {
                                 match self.region_1 {
                                     __NestedRegion1::Heat => {
                                         if inputs_.hot
-                                            && now_.since(self.since_heat)
+                                            && self.reading.since(self.since_heat)
                                                 >= Ticks::new(1000u32)
                                         {
                                             self.region_1 = __NestedRegion1::Hot;
-                                            self.passed_heat = false;
                                             any_58__ = true;
                                         } else {
                                             outputs_.heat = true;
-                                            self.passed_heat = now_.since(self.since_heat)
+                                            self.passed_heat = self.reading.since(self.since_heat)
                                                 >= Ticks::new(1000u32);
-                                            if now_.since(self.since_heat)
+                                            if self.reading.since(self.since_heat)
                                                 >= Ticks::new(1000u32)
                                             {
-                                                self.since_heat = now_
+                                                self.since_heat = self
+                                                    .reading
                                                     .since(Ticks::new(1000u32));
                                             }
                                         }
                                     }
-                                    __NestedRegion1::Hot | __NestedRegion1::NONE => {
-                                        self.passed_heat = false;
-                                    }
+                                    _ => {}
                                 }
                                 core::sync::atomic::compiler_fence(
                                     core::sync::atomic::Ordering::SeqCst,
@@ -150,7 +140,7 @@ impl Nested {
                     );
                     match self.region_2 {
                         __NestedRegion2::Return => {
-                            if now_.since(self.since_return)
+                            if self.reading.since(self.since_return)
                                 >= Ticks::new(2000u32)
                             {
                                 self.region_2 = __NestedRegion2::Home;

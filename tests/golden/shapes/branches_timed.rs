@@ -55,6 +55,7 @@ impl Kettle {
                     self.region_1 = __KettleRegion1::NONE;
                     self.region_0 = __KettleRegion0::Idle;
                 } else {
+                    let mut on_stirred_5__: bool = false;
                     match self.region_1 {
                         __KettleRegion1::Fill => {
                             if inputs_.full
@@ -63,6 +64,16 @@ impl Kettle {
                             {
                                 self.region_1 = __KettleRegion1::Stir;
                                 self.since_fill = now_;
+                                outputs_.stirrer = true;
+                            } else {
+                                outputs_.valve = true;
+                                if now_.since(self.since_fill)
+                                    >= Ticks::new(1000u32)
+                                {
+                                    self.since_fill = now_
+                                        .since(Ticks::new(1000u32));
+                                    self.before_state_fill = __KettleRegion1::Stir;
+                                }
                             }
                         }
                         __KettleRegion1::Stir => {
@@ -71,6 +82,8 @@ impl Kettle {
                             {
                                 self.region_1 = __KettleRegion1::Rest;
                                 self.since_fill = now_;
+                            } else {
+                                outputs_.stirrer = true;
                             }
                         }
                         __KettleRegion1::Rest => {
@@ -79,24 +92,8 @@ impl Kettle {
                             {
                                 self.region_1 = __KettleRegion1::Stirred;
                                 self.since_fill = now_;
+                                on_stirred_5__ = true;
                             }
-                        }
-                        _ => {}
-                    }
-                    let mut on_stirred_5__: bool = false;
-                    match self.region_1 {
-                        __KettleRegion1::Fill => {
-                            outputs_.valve = true;
-                            if now_.since(self.since_fill)
-                                >= Ticks::new(1000u32)
-                            {
-                                self.since_fill = now_
-                                    .since(Ticks::new(1000u32));
-                                self.before_state_fill = __KettleRegion1::Stir;
-                            }
-                        }
-                        __KettleRegion1::Stir => {
-                            outputs_.stirrer = true;
                         }
                         __KettleRegion1::Stirred => {
                             on_stirred_5__ = true;

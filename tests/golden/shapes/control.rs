@@ -28,6 +28,7 @@ impl Works {
         };
         let elapsed_: Ticks = now_.since(self.reading);
         self.reading = now_;
+        fence_beyond_armv6m();
         self.delay0_held = if inputs_.c == self.delay0_in {
             self.delay0_held + elapsed_
         } else {
@@ -38,7 +39,7 @@ impl Works {
             __WorksRegion0::INIT => {
                 self.delay0_held = Ticks::ZERO;
                 self.region_0 = __WorksRegion0::Idle;
-                self.since_three = now_;
+                self.since_three = self.reading;
                 if Ticks::ZERO
                     >= (if inputs_.c {
                         Ticks::new(20u32)
@@ -48,7 +49,7 @@ impl Works {
                 {
                     self.delay0_out = inputs_.c;
                 }
-                self.since_idle = now_;
+                self.since_idle = self.reading;
             }
             _ => {
                 if self.delay0_held
@@ -69,8 +70,8 @@ impl Works {
                         if !self.edge1_before && inputs_.a {
                             self.region_0 = __WorksRegion0::One;
                             self.region_1 = __WorksRegion1::Three;
-                            self.since_idle = now_;
-                            self.since_three = now_;
+                            self.since_idle = self.reading;
+                            self.since_three = self.reading;
                             self.s_ff_held = true;
                             outputs_.held = true;
                             self.sd_ff_late = true;
@@ -112,10 +113,10 @@ impl Works {
                             && !clears_three_four_
                             && (!inputs_.a
                                 || self.region_0 == __WorksRegion0::Two
-                                    && now_.since(self.since_idle)
+                                    && self.reading.since(self.since_idle)
                                         >= Ticks::new(4000u32))
                         {
-                            self.since_idle = now_;
+                            self.since_idle = self.reading;
                             on_idle_1__ = true;
                             self.s_ff_held = false;
                             self.sd_ff_late = false;
@@ -135,25 +136,26 @@ impl Works {
                                 __WorksRegion0::One => {
                                     if inputs_.b
                                         && ({
-                                            let since_1_ = now_.since(self.since_idle);
+                                            let since_1_ = self.reading.since(self.since_idle);
                                             let ticks_15_ = Ticks::new(15u32);
                                             since_1_ > ticks_15_
                                         })
                                     {
                                         self.region_0 = __WorksRegion0::Two;
-                                        self.since_idle = now_;
+                                        self.since_idle = self.reading;
                                         outputs_.held = self.s_ff_held;
                                         any_68__ = true;
                                     } else {
                                         self.s_ff_held = true;
                                         outputs_.held = true;
                                         self.sd_ff_late = true;
-                                        outputs_.lamp = now_.since(self.since_idle)
+                                        outputs_.lamp = self.reading.since(self.since_idle)
                                             < Ticks::new(40u32);
-                                        if now_.since(self.since_idle)
+                                        if self.reading.since(self.since_idle)
                                             >= Ticks::new(40u32)
                                         {
-                                            self.since_idle = now_
+                                            self.since_idle = self
+                                                .reading
                                                 .since(Ticks::new(40u32));
                                         }
                                         any_68__ = clears_three_four_;
@@ -161,12 +163,13 @@ impl Works {
                                 }
                                 __WorksRegion0::Two => {
                                     outputs_.held = self.s_ff_held;
-                                    outputs_.lamp = now_.since(self.since_idle)
+                                    outputs_.lamp = self.reading.since(self.since_idle)
                                         >= Ticks::new(30u32);
-                                    if now_.since(self.since_idle)
+                                    if self.reading.since(self.since_idle)
                                         >= Ticks::new(4000u32)
                                     {
-                                        self.since_idle = now_
+                                        self.since_idle = self
+                                            .reading
                                             .since(Ticks::new(4000u32));
                                     }
                                     any_68__ = clears_three_four_;
@@ -196,7 +199,7 @@ impl Works {
                                 self.region_1 = __WorksRegion1::Four;
                             }
                             if entered_three_ || entered_four_ {
-                                self.since_three = now_;
+                                self.since_three = self.reading;
                             }
                             let q_four_9__: bool = entered_four_
                                 && !self.action_edge0_before && inputs_.b;
@@ -223,16 +226,17 @@ impl Works {
                             any_68__ = any_68__ || clears_four_three_;
                             any_68__ = any_68__ || turned_;
                             self.ds_ff_slow = self.region_1 == __WorksRegion1::Three
-                                && now_.since(self.since_three)
+                                && self.reading.since(self.since_three)
                                     >= Ticks::new(20u32)
                                 || self.ds_ff_slow;
                             outputs_.slow = self.ds_ff_slow;
                             if was_state_three_ == __WorksRegion1::Three
                                 && self.region_1 == __WorksRegion1::Three
-                                && now_.since(self.since_three)
+                                && self.reading.since(self.since_three)
                                     >= Ticks::new(20u32)
                             {
-                                self.since_three = now_
+                                self.since_three = self
+                                    .reading
                                     .since(Ticks::new(20u32));
                             }
                         }

@@ -156,6 +156,10 @@ impl<'m> Printer<'_, 'm> {
                 let p = &self.cx.p;
                 quote!(#p::fence_on_armv6m();)
             }
+            Statement::Fence(Fence::BeyondArmv6m) => {
+                let p = &self.cx.p;
+                quote!(#p::fence_beyond_armv6m();)
+            }
             Statement::Part(..) | Statement::Mark(_) => TokenStream::new(),
         }
     }

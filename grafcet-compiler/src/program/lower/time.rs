@@ -107,9 +107,16 @@ impl<'m> Lower<'_, 'm> {
         let mut body = Vec::new();
         for (region, passed) in self.passed.iter().enumerate() {
             let Some(passed) = passed else { continue };
-            let of_region = self.outlasted.iter().filter(|(of, _)| self.region_of(*of) == Some(region));
-            let over = of_region.map(|(of, end)| self.is_over(*of, *end));
-            body.push(Statement::Set(*passed, any(over.list())));
+            let (mut asked, mut over) = (Vec::new(), Vec::new());
+            for (of, end) in self.outlasted.iter().filter(|(of, _)| self.region_of(*of) == Some(region)) {
+                if let Blinker::Step(step) = of {
+                    asked.push(self.is(*step));
+                }
+                over.push(self.is_over(*of, *end));
+            }
+            let note = Statement::Set(*passed, any(over));
+            // Nobody asks for it beside other steps. Of one region each way tells (`moved`).
+            if self.state.len() == 1 { body.push(note) } else { when(&mut body, any(asked), vec![note]) }
         }
         body
     }

@@ -64,6 +64,28 @@ fn branches_stand_within_a_branch() {
     }
 }
 
+/// Where the reading of the clock is kept, one evolution asks the field for it; a search, and a cycle that keeps none, the argument. Of a time that is over nothing is
+/// told where its step is not active.
+#[test]
+fn one_evolution_asks_its_field_for_the_clock() {
+    let chart = |dialect: &str, time: &str| {
+        format!(
+            "{dialect} Press {{ input a, b, c: bool; output p, q: bool; initial step Start; step A1 {{ p; }} step A2; step B1 {{ q; }} step B2; \
+             Start -[a]-> (A1, B1); A1 -[b && 3ms/A1]-> A2; B1 -[c {time}]-> B2; (A2, B2) -[!a]-> Start; }}"
+        )
+    };
+    for (dialect, time, kept) in [("sfc", "", true), ("sfc", "&& 5ms/B1", false), ("grafcet", "", false)] {
+        let model = read(&chart(dialect, time));
+        let program = optimised(&model, &Pass::ALL).expect("a program").to_string();
+        let cycle = program.split("\ncycle\n").nth(1).expect("a cycle");
+        assert_eq!(cycle.contains("fence but on ARMv6-M"), kept, "{dialect}, {time}: {cycle}");
+        assert_eq!(cycle.contains("since(now, since."), !kept, "{dialect}, {time}: {cycle}");
+        let told = cycle.matches("passed.Start = false").count() + cycle.matches("passed.A1 = false").count();
+        assert_eq!(told, usize::from(kept), "only where A1 is entered: {dialect}, {time}: {cycle}");
+        each_left_out(&model, &storm(&["a", "b", "c"], 300), 120);
+    }
+}
+
 /// A branch that looks at a step of another one is a match of its own, in front of it or, where they look at each other, behind a copy of its state. What clears a join is
 /// asked before, whatever stands where in the chart.
 #[test]
