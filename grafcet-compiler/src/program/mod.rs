@@ -146,7 +146,7 @@ pub enum Role {
     Began(usize),
     /// The same of a macro-step.
     MacroBegan(MacroId),
-    /// A time of the active step of a region is over that is not waited for any more.
+    /// A time of the active step of a region is over that is not waited for any more. Beside steps that do not wait so it means nothing.
     Passed(usize),
     /// How far a period is since the activation of the active step of a region.
     Phase {

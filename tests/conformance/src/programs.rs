@@ -1,6 +1,7 @@
 //! `cargo xtask conformance --program`: the programs of random charts, naive and after passes, beside the interpreter, without rustc.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::num::NonZero;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -9,7 +10,7 @@ use std::time::Instant;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::program::passes::Pass;
 
-use crate::program::{Outcome, compare, rests, sleeps};
+use crate::program::{Outcome, compare, program, rests, sleeps};
 use crate::reader::Line;
 use crate::simpler::simpler;
 use crate::{chart, random, reader};
@@ -130,7 +131,7 @@ fn play(grafcet: bool, next: &Next, cycles: usize) -> Result<Part, String> {
             Err(error) => {
                 part.differing += 1;
                 if next.shown.fetch_add(1, Ordering::Relaxed) < SHOWN {
-                    println!("{number}: {}\n{}", error.error, made.chart);
+                    println!("{number}: {error}\n{}", made.chart);
                     println!("{number}: {}", error.smallest(&made.chart, &lines));
                 }
             }
@@ -196,23 +197,36 @@ struct Difference {
     error: String,
 }
 
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}, after the passes {:?}: {}", self.way, self.passes, self.error)
+    }
+}
+
 impl Difference {
-    /// With the chart, from which all is left out without which it still differs so, and the passes.
+    /// A chart that has a program, and one that does something else.
+    fn persists(&self, model: &Model, lines: &[Line], passes: &[Pass]) -> Option<String> {
+        program(model, passes).ok()?;
+        self.way.plays(model, lines, passes).err()
+    }
+
+    /// With the chart, from which all is left out without which it still differs in this way, and the passes.
     fn smallest(mut self, chart: &str, lines: &[Line]) -> String {
         let mut chart = chart.to_owned();
         while let Some((simpler, error)) = simpler(&chart).into_iter().find_map(|text| {
             let model = chart::resolve(&text).ok().filter(|_| text.len() < chart.len())?;
-            Some((text, self.way.plays(&model, lines, &self.passes).err()?))
+            let error = self.persists(&model, lines, &self.passes)?;
+            Some((text, error))
         }) {
             (chart, self.error) = (simpler, error);
         }
         let Ok(model) = chart::resolve(&chart) else { return self.error };
         for pass in Pass::ALL {
             let fewer: Vec<Pass> = self.passes.iter().copied().filter(|kept| *kept != pass).collect();
-            if let Err(error) = self.way.plays(&model, lines, &fewer) {
+            if let Some(error) = self.persists(&model, lines, &fewer) {
                 (self.passes, self.error) = (fewer, error);
             }
         }
-        format!("{:?}, after the passes {:?}: {}\n{chart}", self.way, self.passes, self.error)
+        format!("{self}\n{chart}")
     }
 }

@@ -115,7 +115,7 @@ impl<'m> Lower<'_, 'm> {
                 over.push(self.is_over(*of, *end));
             }
             let note = Statement::Set(*passed, any(over));
-            // Nobody asks for it beside other steps. Of one region each way tells (`moved`).
+            // Nobody asks for it beside other steps, so there it may be stale. Of one region it is told in each state, as `moved` puts the mark in its place.
             if self.state.len() == 1 { body.push(note) } else { when(&mut body, any(asked), vec![note]) }
         }
         body

@@ -18,9 +18,11 @@
 //! - The same where a state is asked for once more within what has been found of it (`united`): the packer takes 564 bytes instead of 604.
 //! - Under `optimize size;` the fences of one region are there on all processors, and one in front of the table of a sequence and behind it: a robot with watchdogs takes
 //!   424 bytes instead of 522 on a Cortex-M3, and 27.2 instructions instead of 23.4.
-//! - In a cycle of several regions that keeps the reading of the clock the argument would be in the last of four registers that short instructions name, and all that is done in the
-//!   others: the clock is asked of its field, behind a fence (two branches within one of two take 406 bytes on a Cortex-M3 so, and 504 without; on ARMv6-M it costs four).
+//! - In a cycle of several regions that keeps the reading of the clock the argument would be in the last of four registers that LLVM uses before it saves one, and that short
+//!   instructions name, and all that is done in others: the clock is asked of its field, behind a fence (two branches within one of two take 406 bytes on a Cortex-M3 so, and 504 without; on ARMv6-M it costs four).
 //! - Four neighbours that are written together become a call of `memset` on a processor without unaligned stores.
+
+use std::cell::Cell;
 
 use super::super::{Expr, Fence, PlaceId, Program, Role, Statement, Type};
 use super::tables::goes_by_table;
@@ -68,10 +70,16 @@ fn clock<'m>(program: &Program<'m>, cycle: &mut Vec<Statement<'m>>) {
     if is_written_in(&cycle[at + 1..], reading) {
         return;
     }
-    rewrite(&mut cycle[at + 1..], &mut |expr| {
-        replaced(expr, &|leaf| matches!(leaf, Expr::Now).then_some(Expr::Place(reading)))
-    });
-    cycle.insert(at + 1, Statement::Fence(Fence::BeyondArmv6m));
+    let is_asked = Cell::new(false);
+    let leaf = |leaf: &Expr<'m>| {
+        let is_now = matches!(leaf, Expr::Now);
+        is_asked.set(is_asked.get() || is_now);
+        is_now.then_some(Expr::Place(reading))
+    };
+    rewrite(&mut cycle[at + 1..], &mut |expr| replaced(expr, &leaf));
+    if is_asked.get() {
+        cycle.insert(at + 1, Statement::Fence(Fence::BeyondArmv6m));
+    }
 }
 
 fn is_search(statement: &Statement<'_>) -> bool {

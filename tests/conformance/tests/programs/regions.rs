@@ -138,6 +138,23 @@ fn partial_grafcets_look_at_each_other() {
     }
 }
 
+/// Joins that look into an enclosing step see what was active there before the evolution that leaves it: a state that nothing can meet behind it.
+#[test]
+fn joins_look_into_what_is_left_beside_them() {
+    let model = read(
+        "grafcet Mixed { input m, z, d, e, g, s, u, v, x, y: bool; output p, q: bool; \
+         partial J { initial step J0; step Ja; step Ja2; step Jb; step Jb2; step J3 { p; } J0 -[s]-> (Ja, Jb); Ja -[u]-> Ja2; Jb -[v]-> Jb2; \
+           (Ja2, Jb2) -[E::Q1.X && x]-> J3; (Ja2, Jb2) -[E::Q2.X && y]-> J0; J3 -[!x]-> J0; } \
+         partial O { initial step Y; \
+           enclosing step X { partial E { linked step E0; step Pa; step Q1; step Q2 { q; } E0 -[d]-> (Pa, Q1); Q1 -[e]-> Q2; (Pa, Q2) -[g]-> E0; } } \
+           step Z { force J {INIT}; } Y -[m]-> X -[!m]-> Y; Y -[z && !m]-> Z -[!z]-> Y; } }",
+    );
+    let text = "---\n---\nm @0 | |\nm d @1 | |\nm e @2 | |\nm s @3 | |\nm u v @4 | |\ny @5 | |\n@6 | |\n";
+    each_left_out(&model, text, 7);
+    let inputs = ["m", "z", "d", "e", "g", "s", "u", "v", "x", "y"];
+    each_left_out(&model, &storm(&inputs, 400), 0);
+}
+
 /// An output that ends each cycle as its flip-flop is set behind the ways, but not one that something asks for.
 #[test]
 fn an_output_that_shows_a_field_is_set_once() {

@@ -14,7 +14,7 @@
 //! ```
 //!
 //! As `moved` does for one region: no way stores whether something has happened, and no cycle its reading. That a time is over while its step stays active is marked
-//! in the state before, by a step from which no transition leads there.
+//! in the state before, by a step from which no transition leads there, or by none. A variable that changes may tell as well, where it does so on ways alone that move a region.
 //!
 //! Needs: each region has a time, and nothing is waited for but these; each way tells whether it has moved (`ways`), and begins the time of each region where another
 //! step becomes active.

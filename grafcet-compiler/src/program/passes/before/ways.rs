@@ -37,8 +37,8 @@ struct Walk<'p, 'm> {
     before: &'p Before,
     /// Truths by which a way says whether it has settled.
     gathered: Vec<PlaceId>,
-    /// Places whose value before is kept somewhere, and where.
-    kept: Vec<(PlaceId, PlaceId)>,
+    /// Places of which the cycle makes a copy, and the copies.
+    copied: Vec<(PlaceId, PlaceId)>,
     entries: Vec<(Vec<Value>, Value)>,
 }
 
@@ -55,15 +55,15 @@ impl Ways {
                 }
             });
         }
-        let mut kept = Vec::new();
-        find_kept(program, &program.cycle, &mut kept);
-        let mut walk = Walk { program, before, gathered, kept, entries: Vec::new() };
-        if 2 + 2 * before.regions.len() + walk.gathered.len() + walk.kept.len() > 31 {
+        let mut copied = Vec::new();
+        find_copied(program, &program.cycle, &[&gathered[..], &[before.settled]].concat(), &mut copied);
+        let mut walk = Walk { program, before, gathered, copied, entries: Vec::new() };
+        if 2 + 2 * before.regions.len() + walk.gathered.len() + walk.copied.len() > 31 {
             return None;
         }
         let mut way = Way { done: Set::new(), possible: Vec::new() };
-        // Whatever the last cycle has told, and whatever is kept.
-        let changed = (0..walk.kept.len()).fold(0, |bits, at| bits | walk.changed(at));
+        // Whatever the last cycle has told, and whatever the copies hold.
+        let changed = (0..walk.copied.len()).fold(0, |bits, at| bits | walk.changed(at));
         way.done.extend([changed, changed | SETTLED]);
         for region in &before.regions {
             let start = initial(&program.places[region.state.0]);
@@ -97,14 +97,14 @@ impl<'m> Walk<'_, 'm> {
         Some(1 << (2 + 2 * self.before.regions.len() + at))
     }
 
-    /// A place may have another value than the one that is kept of it.
+    /// A place may differ from its copy.
     fn changed(&self, at: usize) -> Done {
         1 << (2 + 2 * self.before.regions.len() + self.gathered.len() + at)
     }
 
-    /// What is written may have another value than before.
-    fn write(&self, writes: impl Fn(PlaceId) -> bool, way: &mut Way) {
-        for (at, (place, copy)) in self.kept.iter().enumerate() {
+    /// What is written may differ from its copy from here on.
+    fn differ(&self, writes: impl Fn(PlaceId) -> bool, way: &mut Way) {
+        for (at, (place, copy)) in self.copied.iter().enumerate() {
             if writes(*place) || writes(*copy) {
                 way.each(&|done| vec![done | self.changed(at)]);
             }
@@ -163,7 +163,7 @@ impl<'m> Walk<'_, 'm> {
                         !matches!(self.program.places[place.0].role, Role::State(_) | Role::Began(_) | Role::Settled)
                     };
                     writes.iter().all(own).then_some(())?;
-                    self.write(|place| writes.contains(&place), way);
+                    self.differ(|place| writes.contains(&place), way);
                 }
             }
             if way.done.len() > MOST {
@@ -218,11 +218,11 @@ impl<'m> Walk<'_, 'm> {
         }
         let is_copied =
             |(of, copy): &(PlaceId, PlaceId)| *copy == place && matches!(value, Expr::Place(from) if from == of);
-        if let Some(at) = self.kept.iter().position(is_copied) {
+        self.differ(|written| written == place, way);
+        if let Some(at) = self.copied.iter().position(is_copied) {
             way.each(&|done| vec![done & !self.changed(at)]);
             return Some(());
         }
-        self.write(|written| written == place, way);
         if let Some(bit) = self.gathers(place) {
             if way.done.iter().all(|done| self.truth(value, *done).is_some()) {
                 way.each(&|done| vec![with(done, bit, self.truth(value, done) == Some(true))]);
@@ -256,7 +256,7 @@ impl<'m> Walk<'_, 'm> {
         Some(())
     }
 
-    /// What an expression over gathered truths and kept values comes to.
+    /// What an expression over gathered truths and copied values comes to.
     fn truth(&self, expr: &Expr<'m>, done: Done) -> Option<bool> {
         Some(match expr {
             Expr::Value(Value::Bool(truth)) => *truth,
@@ -273,7 +273,7 @@ impl<'m> Walk<'_, 'm> {
             }
             Expr::Compare(how @ (Comparison::Equal | Comparison::Differs), a, b) => {
                 let (Expr::Place(a), Expr::Place(b)) = (&**a, &**b) else { return None };
-                let at = self.kept.iter().position(|(of, copy)| [(*of, *copy), (*copy, *of)].contains(&(*a, *b)))?;
+                let at = self.copied.iter().position(|(of, copy)| [(*of, *copy), (*copy, *of)].contains(&(*a, *b)))?;
                 (done & self.changed(at) == 0).then_some(*how == Comparison::Equal)?
             }
             _ => return None,
@@ -312,18 +312,38 @@ fn with(done: Done, bit: Done, truth: bool) -> Done {
     if truth { done | bit } else { done & !bit }
 }
 
-/// The places of which a cycle keeps a copy, and where: no states, as these are followed by themselves.
-fn find_kept<'m>(program: &Program<'m>, statements: &[Statement<'m>], found: &mut Vec<(PlaceId, PlaceId)>) {
+/// The fields that what is gathered compares with copies of them, and the copies: no states, as these are followed by themselves.
+fn find_copied<'m>(
+    program: &Program<'m>,
+    statements: &[Statement<'m>],
+    gathered: &[PlaceId],
+    found: &mut Vec<(PlaceId, PlaceId)>,
+) {
     for statement in statements {
-        if let Statement::Set(copy, Expr::Place(of)) = statement {
-            let is_value = !matches!(program.places[of.0].ty, Type::State(_) | Type::Bool);
-            if is_value && !program.places[copy.0].is_field && !found.contains(&(*of, *copy)) {
-                found.push((*of, *copy));
-            }
+        match statement {
+            Statement::Set(to, value) if gathered.contains(to) => compared(program, value, found),
+            _ => {}
         }
         for block in blocks(statement) {
-            find_kept(program, block, found);
+            find_copied(program, block, gathered, found);
         }
+    }
+}
+
+fn compared<'m>(program: &Program<'m>, expr: &Expr<'m>, found: &mut Vec<(PlaceId, PlaceId)>) {
+    match expr {
+        Expr::Not(inner) => compared(program, inner, found),
+        Expr::All(parts) | Expr::Any(parts) => parts.iter().for_each(|part| compared(program, part, found)),
+        Expr::Compare(_, a, b) => {
+            let (Expr::Place(a), Expr::Place(b)) = (&**a, &**b) else { return };
+            let is_field = |place: PlaceId| program.places[place.0].is_field;
+            let pair = if is_field(*a) { (*a, *b) } else { (*b, *a) };
+            let is_state = matches!(program.places[a.0].ty, Type::State(_));
+            if is_field(pair.0) && !is_field(pair.1) && !is_state && !found.contains(&pair) {
+                found.push(pair);
+            }
+        }
+        _ => {}
     }
 }
 

@@ -11,7 +11,7 @@ use super::super::uses::{Effects, each_asked, each_read, writes_to};
 use super::{Env, Several, weight};
 use crate::list::List;
 use crate::program::build::not;
-use crate::program::{Expr, Statement, Type, Value};
+use crate::program::{Expr, PlaceId, Statement, Type, Value};
 use crate::sorted::Set;
 
 /// Of so many conditions each is tried.
@@ -155,13 +155,14 @@ impl<'m> Several<'_, 'm> {
         let mut engine = self.engine(&[], &index, 0, env);
         let mut body = Vec::new();
         engine.block(&before, &mut body);
+        let unasked = engine.env.clone();
         let mut ways = Vec::new();
         for holds in [true, false] {
             let mark = engine.trail.len();
             engine.tell(&condition, holds);
             engine.note(place, Fact::Is(Value::Bool(holds)));
             let mut env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later: env.later.clone() };
-            self.narrow(&mut env);
+            self.narrow(&unasked, &mut env);
             let mut way = self.spec(&rest, &env);
             if env.later.contains(&place) || self.read_after.contains(place) {
                 way.insert(0, Statement::Set(place, Expr::Value(Value::Bool(holds))));
@@ -181,19 +182,23 @@ impl<'m> Several<'_, 'm> {
         Some(body)
     }
 
-    /// Of each region the states that one of the others cannot be beside are left out.
-    fn narrow(&self, env: &mut Env) {
-        let possible = |env: &Env, region: usize| match env.facts[self.states[region].0] {
-            Fact::Is(Value::Step(step)) => vec![step],
-            Fact::Among(list) => env.lists[list].clone(),
-            _ => self.possible(region),
-        };
-        for (region, state) in self.states.iter().enumerate() {
+    /// Where a condition has just told of regions, the states of the others that cannot be beside those it names are left out. In an `sfc` a region that has moved meets all
+    /// states of those that have not yet; in a `grafcet` it does not, where it enclosed them.
+    fn narrow(&self, unasked: &[Fact], env: &mut Env) {
+        let told = |state: &PlaceId| env.facts[state.0] != unasked[state.0];
+        let told: Vec<usize> = (0..self.states.len()).filter(|region| told(&self.states[*region])).collect();
+        for region in (0..self.states.len()).filter(|region| self.is_flat && !told.contains(region)) {
+            let state = self.states[region];
             let Fact::Among(list) = env.facts[state.0] else { continue };
             let mut left = env.lists[list].clone();
-            for other in (0..self.states.len()).filter(|other| *other != region) {
-                let beside = possible(env, other);
-                left.retain(|step| beside.iter().any(|one| self.may_meet(*step, *one)));
+            for other in &told {
+                match env.facts[self.states[*other].0] {
+                    Fact::Is(Value::Step(step)) => left.retain(|one| self.may_meet(*one, step)),
+                    Fact::Among(list) => {
+                        left.retain(|one| env.lists[list].iter().any(|step| self.may_meet(*one, *step)));
+                    }
+                    _ => {}
+                }
             }
             if !left.is_empty() && left.len() < env.lists[list].len() {
                 env.facts[state.0] = env.among(left);

@@ -102,6 +102,8 @@ pub(super) struct Several<'p, 'm> {
     /// What a state tells of another region.
     pub(super) ties: Vec<Tie>,
     pub(super) meetings: Vec<Meeting>,
+    /// No region encloses another one, or forces it.
+    is_flat: bool,
     /// So many statements and places may still be looked at for conditions that are asked first.
     effort: Cell<usize>,
 }
@@ -146,6 +148,7 @@ impl<'p, 'm> Several<'p, 'm> {
             full: program.full.clone(),
             ties: Vec::new(),
             meetings: Vec::new(),
+            is_flat: !program.model.is_grafcet(),
             effort: Cell::new(effort(program)),
         })
     }
