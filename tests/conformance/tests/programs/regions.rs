@@ -33,9 +33,9 @@ fn branches_tell_by_their_states_whether_they_have_moved() {
 /// where the step that stays active is not the first of its branch.
 #[test]
 fn counts_move_with_the_steps() {
-    for (more, told) in [("", true), ("N n = (n + 1) % 50;", false), ("N n = 3;", false)] {
+    for (more, told) in [("", true), ("S f if a && c;", false), ("N n = (n + 1) % 50;", false), ("N n = 3;", false)] {
         let model = read(&format!(
-            "sfc Holes {{ input a, b, c: bool; output p, q: bool; var n: u8 = 0; initial step Idle {{ P1 n = 0; }} step Move {{ P1 n = (n + 1) % 50; p; }}              step Down {{ {more} }} step End; step Heat {{ q; }} step Hot; Idle -[a]-> (Move, Heat); Move -[b && 2ms/Move]-> Down; Down -[n < 3 && !b]-> Move;              Down -[n >= 3 && !b]-> End; Heat -[c]-> Hot; (End, Hot) -[7ms/Hot && !c]-> Idle; }}"
+            "sfc Holes {{ input a, b, c: bool; output p, q: bool; var n: u8 = 0; var f: bool; initial step Idle {{ P1 n = 0; P1 f = false; }} step Move {{ P1 n = (n + 1) % 50; p; }}              step Down {{ {more} }} step End; step Heat {{ q; }} step Hot; Idle -[a]-> (Move, Heat); Move -[b && 2ms/Move]-> Down; Down -[n < 3 && !b]-> Move;              Down -[n >= 3 && !b]-> End; Heat -[c || f]-> Hot; (End, Hot) -[7ms/Hot && !c]-> Idle; }}"
         ));
         let program = optimised(&model, &Pass::ALL).expect("a program");
         assert_eq!(program.place(Role::Settled).is_none(), told, "{more}: {program}");
