@@ -13,7 +13,8 @@ pub fn fence_on_armv6m() {
 
 /// No access to memory is moved across it but on ARMv6-M, where it is nothing.
 ///
-/// A function of four arguments has no register left on the others that short instructions name, before it saves one, which LLVM does last. What is read behind this anew, as the clock is from where it is kept, takes none meanwhile.
+/// A function that needs four arguments to its end fills the registers that short instructions name, and LLVM saves a further one last. What is read anew behind
+/// this, as the clock is from where it is kept, leaves its register to others.
 #[inline]
 pub fn fence_beyond_armv6m() {
     #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]

@@ -17,41 +17,59 @@ impl Sorter {
                 lamp: false,
             }
         };
-        match self.situation {
-            __SorterState::INIT => {
-                self.situation = __SorterState::Wait;
-            }
-            __SorterState::Wait => {
-                if !self.edge0_before && inputs_.part && !inputs_.end {
-                    self.situation = __SorterState::Carry;
-                }
-            }
-            __SorterState::Carry => {
-                if !self.edge1_before && inputs_.end && inputs_.metal {
-                    self.situation = __SorterState::Push;
-                    self.edge1_before = true;
-                } else {
-                    if !self.edge1_before && inputs_.end && !inputs_.metal {
-                        self.situation = __SorterState::Wait;
+        let first_: bool = self.situation == __SorterState::INIT;
+        if first_ {
+            self.situation = __SorterState::Wait;
+        }
+        if first_ {
+            self.edge0_before = inputs_.part;
+        }
+        if first_ {
+            self.edge1_before = inputs_.end;
+        }
+        let mut now_state_: __SorterState = self.situation;
+        loop {
+            let inputs_ = core::hint::black_box(inputs_);
+            fence_on_armv6m();
+            match now_state_ {
+                __SorterState::Wait => {
+                    if !self.edge0_before && inputs_.part {
+                        now_state_ = __SorterState::Carry;
+                    } else {
+                        break;
                     }
                 }
-            }
-            __SorterState::Push => {
-                if self.edge1_before && !inputs_.end {
-                    self.situation = __SorterState::Wait;
-                } else {
-                    self.edge1_before = inputs_.end;
+                __SorterState::Carry => {
+                    if inputs_.metal {
+                        now_state_ = __SorterState::Push;
+                    } else {
+                        break;
+                    }
+                }
+                __SorterState::Push => {
+                    if self.edge1_before && !inputs_.end {
+                        now_state_ = __SorterState::Wait;
+                    } else {
+                        break;
+                    }
+                }
+                _ => {
+                    break;
                 }
             }
+            self.situation = now_state_;
+            self.edge0_before = inputs_.part;
+            self.edge1_before = inputs_.end;
         }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
         match self.situation {
             __SorterState::Wait => {
                 outputs_.lamp = true;
-                self.edge1_before = inputs_.end;
             }
             __SorterState::Carry => {
                 outputs_.belt = true;
-                self.edge1_before = inputs_.end;
             }
             __SorterState::Push => {
                 outputs_.push = true;
@@ -59,6 +77,7 @@ impl Sorter {
             _ => {}
         }
         self.edge0_before = inputs_.part;
+        self.edge1_before = inputs_.end;
         outputs_
     }
 }

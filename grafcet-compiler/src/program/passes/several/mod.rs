@@ -102,7 +102,7 @@ pub(super) struct Several<'p, 'm> {
     /// What a state tells of another region.
     pub(super) ties: Vec<Tie>,
     pub(super) meetings: Vec<Meeting>,
-    /// No region encloses another one, or forces it.
+    /// As of an `sfc`, in which no region encloses another one or forces it.
     is_flat: bool,
     /// So many statements and places may still be looked at for conditions that are asked first.
     effort: Cell<usize>,
