@@ -68,7 +68,7 @@ impl Program {
     /// # Errors
     /// One of them does not build.
     pub(crate) fn build(programs: &[Self]) -> Result {
-        let mut command = cargo(&["build", "--quiet", "--workspace"]);
+        let mut command = cargo(&["build", "--quiet", "--workspace", "--profile", "test"]);
         // Only where it builds an example, too, cargo takes the features that tests ask for.
         command.args(["--example", "decode"]);
         for program in programs {

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
-use grafcet_conformance::{chart, emit, fragments, random};
+use grafcet_conformance::{chart, emit, fragments, programs, random};
 use options::Options;
 use project::{Case, Outcome, PRINTED, Project};
 
@@ -20,9 +20,7 @@ const BATCH: usize = 100;
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let result = match words.split_first() {
-        Some((first, rest)) if first == "--program" => {
-            Project::new(None, None).and_then(|project| project.compare_programs(rest))
-        }
+        Some((first, rest)) if first == "--program" => programs::run(rest),
         _ => Options::read(words.into_iter()).and_then(|options| run(&options)),
     };
     match result {

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt;
 use std::num::NonZero;
-use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
@@ -26,23 +25,14 @@ conformance --program [--charts N] [--cycles N] [--seed N] [--number N] [--diale
 /// How many differences are shown.
 const SHOWN: u64 = 5;
 
-/// What the example of this name runs, which [`emit`](crate::emit)'s crates have beside their charts: with the words of its command
-/// line.
-#[must_use]
-pub fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("error: {message}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn run() -> Result<(), String> {
+/// Compares the charts that the words of a command line ask for.
+///
+/// # Errors
+/// A chart differs, or a word is none of ours.
+pub fn run(words: &[String]) -> Result<(), String> {
     let mut options = BTreeMap::from([("--charts", 2500), ("--cycles", 200), ("--seed", 1)]);
     let (mut dialects, mut number) = (vec![false, true], None);
-    let mut words = std::env::args().skip(1);
+    let mut words = words.iter();
     while let Some(word) = words.next() {
         let value = words.next().ok_or(USAGE)?;
         if word == "--dialect" {
@@ -53,7 +43,7 @@ fn run() -> Result<(), String> {
         if word == "--number" {
             number = Some(count);
         } else {
-            *options.get_mut(&*word).ok_or(USAGE)? = count;
+            *options.get_mut(&**word).ok_or(USAGE)? = count;
         }
     }
     let first = number.unwrap_or(options["--seed"].wrapping_mul(100_000));

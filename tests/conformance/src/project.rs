@@ -90,18 +90,6 @@ impl Project {
         Ok(outcomes)
     }
 
-    /// Compares random charts as programs: what this needs is built here already, and faster than without optimisation.
-    pub(crate) fn compare_programs(&self, words: &[String]) -> Result<(), String> {
-        self.manifest()?;
-        // No program among those of the charts, which are built together.
-        fs::create_dir_all(self.folder.join("examples")).map_err(|error| format!("examples: {error}"))?;
-        let main = "fn main() -> std::process::ExitCode {\n    grafcet_conformance::programs::main()\n}\n";
-        self.write("examples/programs.rs", main)?;
-        let mut command = self.cargo(&["run", "--quiet", "--example", "programs", "--"]);
-        let status = command.args(words).status().map_err(|error| format!("cargo: {error}"))?;
-        if status.success() { Ok(()) } else { Err(format!("the comparison of programs ended with {status}")) }
-    }
-
     fn manifest(&self) -> Result<(), String> {
         let root = root();
         // There is no build script: what the macros are made of has the features that the programs have, so that cargo takes both for one and

@@ -8,13 +8,15 @@ use super::{Random, Rng};
 /// A chart in `grafcet`.
 #[must_use]
 pub(super) fn chart(seed: u64, cycles: usize) -> Random {
-    let mut machine = Machine { rng: Rng::new(seed), steps: Vec::new(), partials: 0, edges: false };
+    let mut machine =
+        Machine { rng: Rng::new(seed), steps: Vec::new(), partials: 0, enclosed: Vec::new(), edges: false };
     machine.edges = machine.rng.chance(60);
     let rules = "several_initial_steps unreachable_step dead_transition stuck_join deadlock never_true always_true \
                  conflicting_values set_without_reset reset_without_set unused_input undriven_output";
     let allowed: Vec<_> = rules.split(' ').map(|rule| format!("grafcet::{rule}")).collect();
     let mut text = format!("grafcet C {{\n#![allow({})]\ninput a, b, c, d: bool;\n", allowed.join(", "));
     let trees: String = (0..machine.rng.between(1, 2)).map(|_| machine.tree()).collect();
+    let trees = machine.look_elsewhere(trees);
     text.push_str("output q0, q1, q2: bool;\n");
     for partial in 0..machine.partials {
         _ = writeln!(text, "output s{partial}: bool;\noutput n{partial}, m{partial}: u8;");
@@ -29,6 +31,8 @@ struct Machine {
     /// The steps drawn so far, with their partial grafcets.
     steps: Vec<(usize, usize)>,
     partials: usize,
+    /// The partial grafcets within a step.
+    enclosed: Vec<usize>,
     /// Without edges a search may have no end, as far as the compiler knows.
     edges: bool,
 }
@@ -37,7 +41,7 @@ struct Machine {
 struct Body {
     partial: usize,
     text: String,
-    arrows: Vec<(Vec<usize>, Vec<usize>, Option<&'static str>)>,
+    arrows: Vec<(Vec<usize>, Vec<usize>, Option<String>)>,
     /// How deep there may be enclosures.
     depth: usize,
     /// What its steps force.
@@ -69,6 +73,9 @@ impl Machine {
     ) -> (usize, Vec<usize>, String) {
         let partial = self.partials;
         self.partials += 1;
+        if enclosed {
+            self.enclosed.push(partial);
+        }
         let from = self.steps.len();
         let mut body = Body { partial, text: String::new(), arrows: Vec::new(), depth, slaves };
         let first = self.step(&mut body, if enclosed { "initial linked " } else { "initial " }, true);
@@ -83,7 +90,7 @@ impl Machine {
         body.arrows.push((vec![last], vec![first], None));
         let mut text = format!("partial G{partial} {{\n{}", body.text);
         for (from, to, guard) in &body.arrows {
-            let condition = guard.map_or_else(|| self.condition(partial, from[0]), str::to_owned);
+            let condition = guard.clone().unwrap_or_else(|| self.condition(partial, from[0]));
             _ = writeln!(text, "{} -[{condition}]-> {};", list(from), list(to));
         }
         if self.rng.chance(25) {
@@ -151,8 +158,8 @@ impl Machine {
 
     fn selection(&mut self, body: &mut Body, from: usize) -> usize {
         let (left, right) = (self.step(body, "", true), self.step(body, "", true));
-        body.arrows.push((vec![from], vec![left], Some("a && b")));
-        body.arrows.push((vec![from], vec![right], Some("!a && c")));
+        body.arrows.push((vec![from], vec![left], Some("a && b".to_owned())));
+        body.arrows.push((vec![from], vec![right], Some("!a && c".to_owned())));
         let join = self.next(body, left, true);
         body.arrows.push((vec![right], vec![join], None));
         join
@@ -163,9 +170,40 @@ impl Machine {
         body.arrows.push((vec![from], starts.clone(), None));
         let ends: Vec<usize> =
             starts.into_iter().map(|s| if self.rng.chance(60) { self.next(body, s, false) } else { s }).collect();
+        if self.rng.chance(40) {
+            return self.joins(body, ends);
+        }
         let join = self.step(body, "", true);
         body.arrows.push((ends, vec![join], None));
         join
+    }
+
+    /// Branches that end in one of two ways, each of which waits for a step elsewhere.
+    fn joins(&mut self, body: &mut Body, ends: Vec<usize>) -> usize {
+        let (left, right) = (self.step(body, "", true), self.step(body, "", true));
+        let look = look(body.partial);
+        body.arrows.push((ends.clone(), vec![left], Some(format!("a && {look}"))));
+        body.arrows.push((ends, vec![right], Some(format!("!a && {look}"))));
+        let next = self.next(body, left, true);
+        body.arrows.push((vec![right], vec![next], None));
+        next
+    }
+
+    /// Puts a step of another partial grafcet into each place of the text that waits for one, or where there is none an input. What is
+    /// enclosed is asked for often: it can have been left in the same evolution.
+    fn look_elsewhere(&mut self, mut text: String) -> String {
+        for partial in 0..self.partials {
+            let elsewhere: Vec<_> = self.steps.iter().filter(|(of, _)| *of != partial).copied().collect();
+            let enclosed: Vec<_> = elsewhere.iter().filter(|(of, _)| self.enclosed.contains(of)).copied().collect();
+            let place = look(partial);
+            while text.contains(&place) {
+                let all = if enclosed.is_empty() || self.rng.chance(30) { &elsewhere } else { &enclosed };
+                let step = if all.is_empty() { None } else { Some(*self.rng.pick(all)) };
+                let found = step.map_or_else(|| "b".to_owned(), |(of, step)| format!("G{of}::S{step}.X"));
+                text = text.replacen(&place, &found, 1);
+            }
+        }
+        text
     }
 
     fn condition(&mut self, partial: usize, from: usize) -> String {
@@ -183,6 +221,11 @@ impl Machine {
             _ => (*self.rng.pick(&["a", "b", "c", "!d", "a && !b", "c || d"])).to_owned(),
         }
     }
+}
+
+/// What a condition of this partial grafcet has in place of a step of another one, which may not be drawn yet.
+fn look(partial: usize) -> String {
+    format!("<elsewhere than G{partial}>")
 }
 
 fn list(steps: &[usize]) -> String {
