@@ -25,8 +25,8 @@ pub struct Batch {
     settled: ::grafcet::__private::bool,
     time_heat: ::grafcet::__private::Ticks,
     since_idle: ::grafcet::__private::Ticks,
+    delay0_since: ::grafcet::__private::Ticks,
     delay0_in: ::grafcet::__private::bool,
-    delay0_held: ::grafcet::__private::Ticks,
     delay0_out: ::grafcet::__private::bool,
     edge0_before: ::grafcet::__private::bool,
     was_q_heat: ::grafcet::__private::bool,
@@ -64,8 +64,8 @@ impl Batch {
             settled: false,
             time_heat: ::grafcet::__private::Ticks::ZERO,
             since_idle: ::grafcet::__private::Ticks::ZERO,
+            delay0_since: ::grafcet::__private::Ticks::ZERO,
             delay0_in: false,
-            delay0_held: ::grafcet::__private::Ticks::ZERO,
             delay0_out: false,
             edge0_before: false,
             was_q_heat: false,
@@ -446,38 +446,38 @@ impl Batch {
         self.reading = now_;
         ::grafcet::__private::fence_beyond_armv6m();
         self.time_heat = self.time_heat + elapsed_;
-        self.delay0_held = if inputs_.empty == self.delay0_in {
-            self.delay0_held + elapsed_
+        if inputs_.empty {
+            if !self.delay0_in {
+                self.delay0_since = self.reading;
+                self.delay0_in = true;
+            } else {
+                if !self.delay0_out
+                    && self.reading.since(self.delay0_since)
+                        >= ::grafcet::__private::Ticks::new(1000u32)
+                {
+                    self.delay0_out = true;
+                }
+            }
         } else {
-            ::grafcet::__private::Ticks::ZERO
-        };
-        self.delay0_in = inputs_.empty;
+            if self.delay0_in {
+                self.delay0_since = self.reading;
+                self.delay0_in = false;
+            } else {
+                if self.delay0_out
+                    && self.reading.since(self.delay0_since)
+                        >= ::grafcet::__private::Ticks::new(500u32)
+                {
+                    self.delay0_out = false;
+                }
+            }
+        }
         match self.region_0 {
             __BatchRegion0::INIT => {
-                self.delay0_held = ::grafcet::__private::Ticks::ZERO;
                 self.time_heat = ::grafcet::__private::Ticks::ZERO;
                 self.region_0 = __BatchRegion0::Idle;
-                if ::grafcet::__private::Ticks::ZERO
-                    >= (if inputs_.empty {
-                        ::grafcet::__private::Ticks::new(1000u32)
-                    } else {
-                        ::grafcet::__private::Ticks::new(500u32)
-                    })
-                {
-                    self.delay0_out = inputs_.empty;
-                }
                 outputs_.lamp = true;
             }
             _ => {
-                if self.delay0_held
-                    >= (if inputs_.empty {
-                        ::grafcet::__private::Ticks::new(1000u32)
-                    } else {
-                        ::grafcet::__private::Ticks::new(500u32)
-                    })
-                {
-                    self.delay0_out = inputs_.empty;
-                }
                 let was_count_: ::grafcet::__private::core::primitive::u16 = self.count;
                 let mut opaque_ran_: ::grafcet::__private::bool = false;
                 let mut by_leaving_heat_: ::grafcet::__private::bool = false;
@@ -981,69 +981,70 @@ impl Batch {
         if self.region_1 == __BatchRegion1::Heat
             && self.time_heat < ::grafcet::__private::Ticks::new(1000u32)
         {
-            soonest_ = ::grafcet::__private::sooner(
+            soonest_ = ::grafcet::__private::earlier(
                 soonest_,
-                ::grafcet::__private::Option::Some(
-                    ::grafcet::__private::Ticks::new(1000u32) - self.time_heat,
-                ),
+                self
+                    .reading
+                    .after(::grafcet::__private::Ticks::new(1000u32) - self.time_heat),
             );
         }
         if self.region_1 == __BatchRegion1::Heat
             && self.time_heat < ::grafcet::__private::Ticks::new(3000u32)
         {
-            soonest_ = ::grafcet::__private::sooner(
+            soonest_ = ::grafcet::__private::earlier(
                 soonest_,
-                ::grafcet::__private::Option::Some(
-                    ::grafcet::__private::Ticks::new(3000u32) - self.time_heat,
-                ),
+                self
+                    .reading
+                    .after(::grafcet::__private::Ticks::new(3000u32) - self.time_heat),
             );
         }
         if self.region_1 == __BatchRegion1::Heat && self.time_heat < self.params.soak {
-            soonest_ = ::grafcet::__private::sooner(
+            soonest_ = ::grafcet::__private::earlier(
                 soonest_,
-                ::grafcet::__private::Option::Some(self.params.soak - self.time_heat),
+                self.reading.after(self.params.soak - self.time_heat),
             );
         }
         if self.region_0 == __BatchRegion0::Stir
             && self.reading.since(self.since_idle)
                 < ::grafcet::__private::Ticks::new(2000u32)
         {
-            soonest_ = ::grafcet::__private::sooner(
+            soonest_ = ::grafcet::__private::earlier(
                 soonest_,
-                ::grafcet::__private::Option::Some(
-                    ::grafcet::__private::Ticks::new(2000u32)
-                        - self.reading.since(self.since_idle),
-                ),
+                self
+                    .reading
+                    .after(
+                        ::grafcet::__private::Ticks::new(2000u32)
+                            - self.reading.since(self.since_idle),
+                    ),
             );
         }
         if self.delay0_in != self.delay0_out {
-            soonest_ = ::grafcet::__private::sooner(
+            soonest_ = ::grafcet::__private::earlier(
                 soonest_,
-                ::grafcet::__private::Option::Some(
-                    (if self.delay0_in {
-                        ::grafcet::__private::Ticks::new(1000u32)
-                    } else {
-                        ::grafcet::__private::Ticks::new(500u32)
-                    }) - self.delay0_held,
-                ),
+                self
+                    .delay0_since
+                    .after(
+                        if self.delay0_in {
+                            ::grafcet::__private::Ticks::new(1000u32)
+                        } else {
+                            ::grafcet::__private::Ticks::new(500u32)
+                        },
+                    ),
             );
         }
         if self.sd_tmr_pump_in
             && self.sd_tmr_pump_held < ::grafcet::__private::Ticks::new(2000u32)
         {
-            soonest_ = ::grafcet::__private::sooner(
+            soonest_ = ::grafcet::__private::earlier(
                 soonest_,
-                ::grafcet::__private::Option::Some(
-                    ::grafcet::__private::Ticks::new(2000u32) - self.sd_tmr_pump_held,
-                ),
+                self
+                    .reading
+                    .after(
+                        ::grafcet::__private::Ticks::new(2000u32) - self.sd_tmr_pump_held,
+                    ),
             );
         }
-        match soonest_ {
-            ::grafcet::__private::Option::Some(time_) => {
-                ::grafcet::__private::Option::Some(self.reading.after(time_))
-            }
-            ::grafcet::__private::Option::None => ::grafcet::__private::Option::None,
-        }
+        soonest_
     }
     /// A duration in the chart's clock unit, rounded up.
     #[must_use]

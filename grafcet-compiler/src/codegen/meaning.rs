@@ -26,7 +26,7 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
         Role::Edge(id) => Held::Edge(id),
         Role::ActionEdge(id) => Held::ActionEdge(id),
         Role::DelayInput(id) => Held::DelayInput(id),
-        Role::DelayHeld(id) => Held::DelayHeld(id),
+        Role::DelayHeld(id) | Role::DelayBegan(id) => Held::DelayHeld(id),
         Role::DelayOutput(id) => Held::DelayOutput(id),
         Role::Output(id) => Held::Output(id),
         Role::Var(id) => Held::Var(id),

@@ -164,6 +164,8 @@ pub enum Role {
     ActionEdge(EdgeId),
     DelayInput(DelayId),
     DelayHeld(DelayId),
+    /// The reading of the clock at which the input of a delay changed; where the output has followed, it means nothing.
+    DelayBegan(DelayId),
     DelayOutput(DelayId),
     Output(OutputId),
     Var(VarId),

@@ -35,26 +35,35 @@ impl Kiln {
         };
         self.reading = now_;
         self.time_idle = self.time_idle + elapsed_;
-        self.delay0_held = if inputs_.hot == self.delay0_in {
-            self.delay0_held + elapsed_
-        } else {
-            Ticks::ZERO
-        };
-        self.delay0_in = inputs_.hot;
-        if self.delay0_held
-            >= (if inputs_.hot {
-                Ticks::new(1000u32)
+        if inputs_.hot {
+            if !self.delay0_in {
+                self.delay0_since = now_;
+                self.delay0_in = true;
             } else {
-                Ticks::new(2000u32)
-            })
-        {
-            self.delay0_out = inputs_.hot;
+                if !self.delay0_out
+                    && now_.since(self.delay0_since)
+                        >= Ticks::new(1000u32)
+                {
+                    self.delay0_out = true;
+                }
+            }
+        } else {
+            if self.delay0_in {
+                self.delay0_since = now_;
+                self.delay0_in = false;
+            } else {
+                if self.delay0_out
+                    && now_.since(self.delay0_since)
+                        >= Ticks::new(2000u32)
+                {
+                    self.delay0_out = false;
+                }
+            }
         }
         if first_ {
             self.edge0_before = inputs_.start;
         }
         let inputs_ = core::hint::black_box(inputs_);
-        let mut evolutions_: u32 = 0;
         loop {
             let mut moves_31__: bool = false;
             let mut next_count_: core::primitive::u16 = self.count;
@@ -168,12 +177,11 @@ impl Kiln {
                 break;
             }
             self.edge0_before = inputs_.start;
-            evolutions_ = 1;
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        self.settled = !(first_ || evolutions_ != 0);
+        self.settled = true;
         self.edge0_before = inputs_.start;
         match self.region_0 {
             __KilnRegion0::One => {
@@ -276,20 +284,30 @@ impl Kiln {
             self.reading = now_;
             self.time_idle = self.time_idle + elapsed_;
             let delay0_now_: bool = inputs_.hot;
-            self.delay0_held = if delay0_now_ == self.delay0_in {
-                self.delay0_held + elapsed_
-            } else {
-                Ticks::ZERO
-            };
-            self.delay0_in = delay0_now_;
-            if self.delay0_held
-                >= (if delay0_now_ {
-                    Ticks::new(1000u32)
+            if delay0_now_ {
+                if !self.delay0_in {
+                    self.delay0_since = now_;
+                    self.delay0_in = true;
                 } else {
-                    Ticks::new(2000u32)
-                })
-            {
-                self.delay0_out = delay0_now_;
+                    if !self.delay0_out
+                        && now_.since(self.delay0_since)
+                            >= Ticks::new(1000u32)
+                    {
+                        self.delay0_out = true;
+                    }
+                }
+            } else {
+                if self.delay0_in {
+                    self.delay0_since = now_;
+                    self.delay0_in = false;
+                } else {
+                    if self.delay0_out
+                        && now_.since(self.delay0_since)
+                            >= Ticks::new(2000u32)
+                    {
+                        self.delay0_out = false;
+                    }
+                }
             }
             let mut was_state_idle_: __KilnRegion0 = self.region_0;
             let was_state_three_: __KilnRegion1 = self.region_1;

@@ -29,38 +29,38 @@ impl Works {
         let elapsed_: Ticks = now_.since(self.reading);
         self.reading = now_;
         fence_beyond_armv6m();
-        self.delay0_held = if inputs_.c == self.delay0_in {
-            self.delay0_held + elapsed_
+        if inputs_.c {
+            if !self.delay0_in {
+                self.delay0_since = self.reading;
+                self.delay0_in = true;
+            } else {
+                if !self.delay0_out
+                    && self.reading.since(self.delay0_since)
+                        >= Ticks::new(20u32)
+                {
+                    self.delay0_out = true;
+                }
+            }
         } else {
-            Ticks::ZERO
-        };
-        self.delay0_in = inputs_.c;
+            if self.delay0_in {
+                self.delay0_since = self.reading;
+                self.delay0_in = false;
+            } else {
+                if self.delay0_out
+                    && self.reading.since(self.delay0_since)
+                        >= Ticks::new(30u32)
+                {
+                    self.delay0_out = false;
+                }
+            }
+        }
         match self.region_0 {
             __WorksRegion0::INIT => {
-                self.delay0_held = Ticks::ZERO;
                 self.region_0 = __WorksRegion0::Idle;
                 self.since_three = self.reading;
-                if Ticks::ZERO
-                    >= (if inputs_.c {
-                        Ticks::new(20u32)
-                    } else {
-                        Ticks::new(30u32)
-                    })
-                {
-                    self.delay0_out = inputs_.c;
-                }
                 self.since_idle = self.reading;
             }
             _ => {
-                if self.delay0_held
-                    >= (if inputs_.c {
-                        Ticks::new(20u32)
-                    } else {
-                        Ticks::new(30u32)
-                    })
-                {
-                    self.delay0_out = inputs_.c;
-                }
                 let last_count_: core::primitive::u16 = self.count;
                 let mut turned_: bool = false;
                 let mut on_idle_1__: bool = false;
@@ -358,20 +358,30 @@ impl Works {
             let was_state_idle_: __WorksRegion0 = self.region_0;
             let was_state_three_: __WorksRegion1 = self.region_1;
             let delay0_now_: bool = inputs_.c;
-            self.delay0_held = if delay0_now_ == self.delay0_in {
-                self.delay0_held + elapsed_
-            } else {
-                Ticks::ZERO
-            };
-            self.delay0_in = delay0_now_;
-            if self.delay0_held
-                >= (if delay0_now_ {
-                    Ticks::new(20u32)
+            if delay0_now_ {
+                if !self.delay0_in {
+                    self.delay0_since = now_;
+                    self.delay0_in = true;
                 } else {
-                    Ticks::new(30u32)
-                })
-            {
-                self.delay0_out = delay0_now_;
+                    if !self.delay0_out
+                        && now_.since(self.delay0_since)
+                            >= Ticks::new(20u32)
+                    {
+                        self.delay0_out = true;
+                    }
+                }
+            } else {
+                if self.delay0_in {
+                    self.delay0_since = now_;
+                    self.delay0_in = false;
+                } else {
+                    if self.delay0_out
+                        && now_.since(self.delay0_since)
+                            >= Ticks::new(30u32)
+                    {
+                        self.delay0_out = false;
+                    }
+                }
             }
             let edge1_now_: bool = inputs_.a;
             let edge2_now_: bool = inputs_.c;

@@ -3,14 +3,14 @@
 //! A time that is compared with literals alone is the reading at which it began: what has passed is `now - began`, which is exact as long as
 //! two cycles lie less than 2^31 ticks apart. It cannot wrap, however long a step stays active: what can go on beyond the longest of its
 //! literals is kept there (`bound_times`). Of a step that blinks, and asks for its time in no other way, it is the reading at which its last
-//! period began. Every other time is counted, and saturates.
+//! period began. That of a delay with literals is the reading at which its input changed. Every other time is counted, and saturates.
 
 use super::changes::{Change, Changes, changes, is_time_of_step};
 use super::places::{Phases, plain, time, truth};
 use super::{Clocks, Lower};
 use crate::analysis::{Condition, Facts, Logic};
 use crate::list::List;
-use crate::model::{Blink, Blinker, Effect, ForceOrder, Id, MacroId, Model, Read, StepId, TimeRef, Tree};
+use crate::model::{Blink, Blinker, Delay, Effect, ForceOrder, Id, MacroId, Model, Read, StepId, TimeRef, Tree};
 use crate::program::build::{add, ticks};
 use crate::program::{Expr, PlaceId, Role, Statement, Type};
 
@@ -121,8 +121,14 @@ impl<'m> Lower<'_, 'm> {
         };
         self.time.iter().and(&self.macro_time).flatten().any(counted)
             || !self.phases.is_empty()
-            || !model.delays.is_empty()
+            || model.delays.values().any(|delay| !self.reads(delay))
             || model.associations.iter().any(has_timer)
+    }
+
+    /// Whether a reading of the clock tells when a delay is over.
+    pub(super) fn reads(&self, delay: &Delay) -> bool {
+        let is_literal = |time: &TimeRef| literal(Change::At(*time)).is_some();
+        self.clocks == Clocks::Read && [delay.on, delay.off].iter().all(is_literal)
     }
 
     /// The time of a step is that of its region.

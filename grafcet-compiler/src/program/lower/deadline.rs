@@ -20,16 +20,19 @@ impl<'m> Lower<'_, 'm> {
         for (of, change) in &changes(self.model) {
             self.wait(*of, *change, &mut waits);
         }
-        let mut wait = |condition: Expr<'m>, time: Expr<'m>| waits.push(Wait { condition, from: reading, time });
         for id in self.model.delays.ids() {
             let (delay, places) = (&self.model.delays[id], self.delay(id));
             let differ = compare(Comparison::Differs, Expr::Place(places.input), Expr::Place(places.output));
             let time = choose(Expr::Place(places.input), self.time_of(delay.on), self.time_of(delay.off));
-            wait(differ, sub(time, Expr::Place(places.held)));
+            let (from, time) = match places.clock {
+                Clock::Counted(held) => (reading, sub(time, Expr::Place(held))),
+                Clock::Began(began) => (began, time),
+            };
+            waits.push(Wait { condition: differ, from, time });
         }
         for (input, held, time) in &self.timers {
             let waiting = all(vec![Expr::Place(*input), below(Expr::Place(*held), time.clone())]);
-            wait(waiting, sub(time.clone(), Expr::Place(*held)));
+            waits.push(Wait { condition: waiting, from: reading, time: sub(time.clone(), Expr::Place(*held)) });
         }
         let mut at_once = self.restless();
         at_once.insert(0, not(Expr::Place(settled)));
@@ -133,7 +136,8 @@ impl<'m> Lower<'_, 'm> {
         let is_counted = |clock: &Clock| matches!(clock, Clock::Counted(_));
         let others = self.time.iter().flatten().any(is_counted)
             || self.macro_time.iter().any(Option::is_some)
-            || !(self.phases.is_empty() && self.delays.is_empty() && self.timers.is_empty());
+            || self.delays.iter().any(|delay| is_counted(&delay.clock))
+            || !(self.phases.is_empty() && self.timers.is_empty());
         let mut steps = Vec::new();
         for (of, _) in &self.outlasted {
             steps.push(*of);

@@ -2,11 +2,16 @@
 
 use super::{Cycles, Lower};
 use crate::list::{List, PushAll};
-use crate::model::{Effect, Id, Name, OutputId, Place, Read};
+use crate::model::{Effect, Expr as Written, Id, Name, OutputId, Place, Read};
 use crate::program::build::{all, any, compare, differ, no, not, number, part, when, yes};
 use crate::program::{Comparison, Expr, Initial, Mark, PlaceId, Role, Statement, Type, Value};
 
 use super::stored::Stored;
+
+/// Whether an expression looks at inputs alone: the next search finds them as this one.
+fn is_of_inputs(expr: &Written) -> bool {
+    expr.reads.iter().all(|read| matches!(read, Read::Name(Name::Input(_)) | Read::Delay(_)))
+}
 
 /// What every evolution does, however it is found: in the order of its three parts.
 pub(super) struct Round<'m> {
@@ -155,13 +160,12 @@ impl<'m> Lower<'_, 'm> {
         let Some(settled) = self.settled else { return Vec::new() };
         let mut moves = vec![not(stable.map_or_else(yes, Expr::Place)), self.has_edges()];
         // Otherwise the first search has gone on until nothing more happens, as any other. An input's edge that it does not see (A26) the next one does not see, either.
-        let is_of_input =
-            |edge: &crate::model::Edge| edge.of.reads.iter().all(|read| matches!(read, Read::Name(Name::Input(_))));
-        let edges = self.model.edges.values().all(is_of_input);
-        if !(self.delays.is_empty() && edges && self.model.actions.is_empty()) {
+        let edges = self.model.edges.values().all(|edge| is_of_inputs(&edge.of));
+        let delays = self.model.delays.values().all(|delay| is_of_inputs(&delay.of));
+        if !(delays && edges && self.model.actions.is_empty()) {
             moves.insert(0, Expr::Place(self.first));
         }
-        if !self.delays.is_empty() {
+        if !delays {
             moves.push(compare(Comparison::Differs, Expr::Place(self.evolutions), number(0)));
         }
         moves.push_all(kept.iter().map(|(place, copy)| differ(*place, *copy)));

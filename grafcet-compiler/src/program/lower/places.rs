@@ -1,5 +1,6 @@
 //! What is stored, and how it is called.
 
+use super::clocks::Clock;
 use super::{Clocks, Lower, Set};
 use crate::analysis::{Facts, combinational, edges_only_help};
 use crate::list::List;
@@ -20,7 +21,8 @@ pub(super) struct Delays {
     /// What its expression is now.
     pub(super) now: PlaceId,
     pub(super) input: PlaceId,
-    pub(super) held: PlaceId,
+    /// How long it has been what it is, or since when; the latter only where the output is still another one.
+    pub(super) clock: Clock,
     pub(super) output: PlaceId,
 }
 
@@ -200,12 +202,17 @@ impl<'r, 'm> Lower<'r, 'm> {
     /// Edges and delays.
     fn remembered(&mut self) {
         let model = self.model;
-        for id in model.delays.ids() {
+        for (id, delay) in model.delays.iter() {
             let name = format!("delay{}", id.index());
+            let clock = if self.reads(delay) {
+                Clock::Began(self.field(format!("{name}.since"), Role::DelayBegan(id), Type::Ticks, time()))
+            } else {
+                Clock::Counted(self.field(format!("{name}.held"), Role::DelayHeld(id), Type::Ticks, time()))
+            };
             let delays = Delays {
                 now: self.truth(format!("{name}.now")),
                 input: self.field(format!("{name}.in"), Role::DelayInput(id), Type::Bool, truth(false)),
-                held: self.field(format!("{name}.held"), Role::DelayHeld(id), Type::Ticks, time()),
+                clock,
                 output: self.field(format!("{name}.out"), Role::DelayOutput(id), Type::Bool, truth(false)),
             };
             self.delays.push(delays);

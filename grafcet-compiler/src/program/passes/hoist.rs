@@ -8,11 +8,11 @@
 //!     …                                 state = A
 //! ```
 //!
-//! The arm of the first cycle need not do it: fields have their initial values then, and are given them back. Needs: in each other arm what
-//! stands in front may be done after it; it does not write what is matched on. A match in which each state leads to one of them, or is that one, is no question.
+//! The arm of the first cycle may have what is left of it with the initial values of the fields. It need not do it, either: then fields are given these back. Needs: in each
+//! other arm what stands in front may be done after it; it does not write what is matched on. A match in which each state leads to one of them, or is that one, is no question.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::fold::initial;
+use super::fold::{Known, initial};
 use super::many::values;
 use super::share::{is_first, take_first};
 use super::uses::{Effects, blocks_mut, is_plain};
@@ -106,9 +106,16 @@ pub(super) fn out_of<'m>(
     while let Some(statement) = others.first().and_then(|(_, leader)| leader.get(at)).cloned() {
         let effects = Effects::of(&statement);
         let in_all = others.iter().all(|(_, body)| is_first(body, &statement));
-        let along = start.as_ref().is_none_or(|start| is_first(start, &statement))
-            && effects.reads.is_disjoint(&back)
-            && effects.writes.is_disjoint(&back);
+        let may = effects.reads.is_disjoint(&back) && effects.writes.is_disjoint(&back);
+        // What the first cycle has of it.
+        let own = start.as_ref().filter(|_| may).and_then(|start| {
+            let mut own = vec![statement.clone()];
+            if !is_first(start, &statement) {
+                own = beginning(places, &statement, &mut done.clone());
+            }
+            take_all(&mut start.to_vec(), &own).then_some(own)
+        });
+        let along = may && (start.is_none() || own.is_some());
         let given = match &statement {
             Statement::Set(place, value) if is_plain(value) => {
                 at_start(&places[place.0]).filter(|_| !done.contains(place))
@@ -123,8 +130,8 @@ pub(super) fn out_of<'m>(
             take_first(body, &statement);
         }
         if along {
-            if let Some(start) = &mut start {
-                take_first(start, &statement);
+            if let (Some(start), Some(own)) = (&mut start, own) {
+                take_all(start, &own);
             }
             done.extend(effects.writes.iter().copied());
         } else {
@@ -138,6 +145,60 @@ pub(super) fn out_of<'m>(
         }
     }
     shared
+}
+
+/// Takes each of them, in their order, where all of them could be done before all others.
+fn take_all<'m>(list: &mut Vec<Statement<'m>>, statements: &[Statement<'m>]) -> bool {
+    statements.iter().all(|one| take_first(list, one))
+}
+
+/// What is left of a statement in the first cycle, in which places hold what they begin with until something has written them.
+fn beginning<'m>(
+    places: &[PlaceInfo<'m>],
+    statement: &Statement<'m>,
+    written: &mut Set<PlaceId>,
+) -> Vec<Statement<'m>> {
+    let held = |written: &Set<PlaceId>, place: PlaceId| {
+        let info = &places[place.0];
+        if info.is_field && !written.contains(&place) { at_start(info) } else { None }
+    };
+    let fold = |written: &Set<PlaceId>, expr: &Expr<'m>| {
+        let value = |place| held(written, place);
+        Known { places, value: &value, copy: &|_| None, among: &|_| None, now: &|_| false }.fold(expr)
+    };
+    let all = |written: &mut Set<PlaceId>, block: &[Statement<'m>]| {
+        let mut left = Vec::with_capacity(block.len());
+        for one in block {
+            left.append(&mut beginning(places, one, written));
+        }
+        left
+    };
+    match statement {
+        Statement::Set(place, value) => {
+            let value = fold(written, value);
+            if matches!(value, Expr::Value(value) if held(written, *place) == Some(value)) {
+                return Vec::new();
+            }
+            written.insert(*place);
+            vec![Statement::Set(*place, value)]
+        }
+        Statement::If(condition, then, otherwise) => match fold(written, condition) {
+            Expr::Value(Value::Bool(holds)) => all(written, if holds { then } else { otherwise }),
+            condition => {
+                let mut elsewhere = written.clone();
+                let (then, otherwise) = (all(written, then), all(&mut elsewhere, otherwise));
+                written.extend(elsewhere.iter().copied());
+                if then.is_empty() && otherwise.is_empty() {
+                    return Vec::new();
+                }
+                vec![Statement::If(condition, then, otherwise)]
+            }
+        },
+        other => {
+            written.extend(Effects::of(other).writes.iter().copied());
+            vec![other.clone()]
+        }
+    }
 }
 
 /// What a place holds when the first cycle begins.

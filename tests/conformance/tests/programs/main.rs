@@ -16,6 +16,7 @@ use grafcet_conformance::program::{Outcome, Programmed, compare, program as opti
 use grafcet_conformance::{chart, fragments, play, random, reader};
 use proc_macro2::TokenStream;
 
+mod delays;
 mod forks;
 mod needs;
 mod passes;
