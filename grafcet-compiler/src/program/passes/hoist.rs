@@ -108,12 +108,12 @@ pub(super) fn out_of<'m>(
         let in_all = others.iter().all(|(_, body)| is_first(body, &statement));
         let may = effects.reads.is_disjoint(&back) && effects.writes.is_disjoint(&back);
         // What the first cycle has of it.
-        let own = start.as_ref().filter(|_| may).and_then(|start| {
+        let own = start.as_ref().filter(|_| may && in_all).and_then(|start| {
             let mut own = vec![statement.clone()];
             if !is_first(start, &statement) {
                 own = beginning(places, &statement, &mut done.clone());
             }
-            take_all(&mut start.to_vec(), &own).then_some(own)
+            take_all(&mut Vec::clone(start), &own).then_some(own)
         });
         let along = may && (start.is_none() || own.is_some());
         let given = match &statement {
