@@ -981,70 +981,69 @@ impl Batch {
         if self.region_1 == __BatchRegion1::Heat
             && self.time_heat < ::grafcet::__private::Ticks::new(1000u32)
         {
-            soonest_ = ::grafcet::__private::earlier(
+            soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                self
-                    .reading
-                    .after(::grafcet::__private::Ticks::new(1000u32) - self.time_heat),
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(1000u32) - self.time_heat,
+                ),
             );
         }
         if self.region_1 == __BatchRegion1::Heat
             && self.time_heat < ::grafcet::__private::Ticks::new(3000u32)
         {
-            soonest_ = ::grafcet::__private::earlier(
+            soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                self
-                    .reading
-                    .after(::grafcet::__private::Ticks::new(3000u32) - self.time_heat),
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(3000u32) - self.time_heat,
+                ),
             );
         }
         if self.region_1 == __BatchRegion1::Heat && self.time_heat < self.params.soak {
-            soonest_ = ::grafcet::__private::earlier(
+            soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                self.reading.after(self.params.soak - self.time_heat),
+                ::grafcet::__private::Option::Some(self.params.soak - self.time_heat),
             );
         }
         if self.region_0 == __BatchRegion0::Stir
             && self.reading.since(self.since_idle)
                 < ::grafcet::__private::Ticks::new(2000u32)
         {
-            soonest_ = ::grafcet::__private::earlier(
+            soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                self
-                    .reading
-                    .after(
-                        ::grafcet::__private::Ticks::new(2000u32)
-                            - self.reading.since(self.since_idle),
-                    ),
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(2000u32)
+                        - self.reading.since(self.since_idle),
+                ),
             );
         }
         if self.delay0_in != self.delay0_out {
-            soonest_ = ::grafcet::__private::earlier(
+            soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                self
-                    .delay0_since
-                    .after(
-                        if self.delay0_in {
-                            ::grafcet::__private::Ticks::new(1000u32)
-                        } else {
-                            ::grafcet::__private::Ticks::new(500u32)
-                        },
-                    ),
+                ::grafcet::__private::Option::Some(
+                    (if self.delay0_in {
+                        ::grafcet::__private::Ticks::new(1000u32)
+                    } else {
+                        ::grafcet::__private::Ticks::new(500u32)
+                    }) - self.reading.since(self.delay0_since),
+                ),
             );
         }
         if self.sd_tmr_pump_in
             && self.sd_tmr_pump_held < ::grafcet::__private::Ticks::new(2000u32)
         {
-            soonest_ = ::grafcet::__private::earlier(
+            soonest_ = ::grafcet::__private::sooner(
                 soonest_,
-                self
-                    .reading
-                    .after(
-                        ::grafcet::__private::Ticks::new(2000u32) - self.sd_tmr_pump_held,
-                    ),
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(2000u32) - self.sd_tmr_pump_held,
+                ),
             );
         }
-        soonest_
+        match soonest_ {
+            ::grafcet::__private::Option::Some(time_) => {
+                ::grafcet::__private::Option::Some(self.reading.after(time_))
+            }
+            ::grafcet::__private::Option::None => ::grafcet::__private::Option::None,
+        }
     }
     /// A duration in the chart's clock unit, rounded up.
     #[must_use]

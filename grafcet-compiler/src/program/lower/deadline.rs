@@ -20,13 +20,14 @@ impl<'m> Lower<'_, 'm> {
         for (of, change) in &changes(self.model) {
             self.wait(*of, *change, &mut waits);
         }
+        let only_readings = !self.counts_some();
         for id in self.model.delays.ids() {
             let (delay, places) = (&self.model.delays[id], self.delay(id));
             let differ = compare(Comparison::Differs, Expr::Place(places.input), Expr::Place(places.output));
             let time = choose(Expr::Place(places.input), self.time_of(delay.on), self.time_of(delay.off));
             let (from, time) = match places.clock {
-                Clock::Counted(held) => (reading, sub(time, Expr::Place(held))),
-                Clock::Began(began) => (began, time),
+                Clock::Began(began) if only_readings => (began, time),
+                clock => (reading, sub(time, clock.passed(Expr::Place(reading)))),
             };
             waits.push(Wait { condition: differ, from, time });
         }
@@ -130,14 +131,19 @@ impl<'m> Lower<'_, 'm> {
         self.periods.iter().any(|(step, ..)| Blinker::Step(*step) == of)
     }
 
+    /// Whether some time is counted. Such a time can end more than 2^31 ticks after the last cycle, where it cannot be compared with a reading, so all are told from that
+    /// cycle then.
+    fn counts_some(&self) -> bool {
+        let is_counted = |clock: &Clock| matches!(clock, Clock::Counted(_));
+        self.time.iter().and(&self.macro_time).flatten().any(is_counted)
+            || self.delays.iter().any(|delay| is_counted(&delay.clock))
+            || !(self.phases.is_empty() && self.timers.is_empty())
+    }
+
     /// Whether all that is waited for counts from the beginning of a step's time, so that nobody asks for the reading of the last cycle: with one region, and with
     /// few. Of each step one time at most can be over while it stays active.
     fn counts_from_beginning(&self) -> bool {
-        let is_counted = |clock: &Clock| matches!(clock, Clock::Counted(_));
-        let others = self.time.iter().flatten().any(is_counted)
-            || self.macro_time.iter().any(Option::is_some)
-            || self.delays.iter().any(|delay| is_counted(&delay.clock))
-            || !(self.phases.is_empty() && self.timers.is_empty());
+        let others = self.counts_some() || self.macro_time.iter().any(Option::is_some);
         let mut steps = Vec::new();
         for (of, _) in &self.outlasted {
             steps.push(*of);

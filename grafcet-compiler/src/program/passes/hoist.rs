@@ -15,13 +15,13 @@ use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statem
 use super::fold::{Known, initial};
 use super::many::values;
 use super::share::{is_first, take_first};
-use super::uses::{Effects, blocks_mut, is_plain};
+use super::uses::{Effects, blocks_mut, is_plain, is_pure};
 use crate::model::StepId;
 use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
-    block(program, &mut cycle, false);
+    block(program, &mut cycle, false, &Set::new());
     lead(program, &mut cycle);
     program.cycle = cycle;
 }
@@ -42,24 +42,26 @@ fn lead(program: &Program<'_>, statements: &mut [Statement<'_>]) {
     }
 }
 
-fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, in_loop: bool) {
-    let mut all = Vec::with_capacity(statements.len());
+/// `before`: what may have been written since the cycle began.
+fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, in_loop: bool, before: &Set<PlaceId>) {
+    let (mut all, mut written) = (Vec::with_capacity(statements.len()), before.clone());
     for mut statement in statements.drain(..) {
         match &mut statement {
-            Statement::Part(_, body) => block(program, body, in_loop),
-            Statement::Loop { body, .. } => block(program, body, true),
+            Statement::Part(_, body) => block(program, body, in_loop, &written),
+            Statement::Loop { body, .. } => block(program, body, true, &written),
             Statement::Match(place, arms, otherwise) if otherwise.is_empty() => {
                 if let (Role::State(region), true) = (program.places[place.0].role, are_single(arms)) {
                     let count = usize::from(starts(arms));
                     let (start, others) = arms.split_at_mut(count);
                     if others.len() > 1 && are_all(program, region, others) && (in_loop || !start.is_empty()) {
                         let start = start.first_mut().map(|(_, body)| body);
-                        all.append(&mut out_of(&program.places, *place, start, others));
+                        all.append(&mut out_of(&program.places, *place, start, others, &written));
                     }
                 }
             }
             _ => {}
         }
+        written.extend(Effects::of(&statement).writes.iter().copied());
         all.push(statement);
     }
     *statements = all;
@@ -94,15 +96,17 @@ fn are_single(arms: &[Arm<'_>]) -> bool {
     arms.len() > 1 && arms.iter().all(|(values, _)| values.len() == 1)
 }
 
+/// What is done in front of a match, before which something has written some places since the cycle began.
 pub(super) fn out_of<'m>(
     places: &[PlaceInfo<'m>],
     state: PlaceId,
     mut start: Option<&mut Vec<Statement<'m>>>,
     others: &mut [Arm<'m>],
+    written: &Set<PlaceId>,
 ) -> Vec<Statement<'m>> {
     let (mut shared, mut at) = (Vec::new(), 0);
     // What the first cycle does as well, and what it is given back.
-    let (mut done, mut back) = (Set::new(), Set::new());
+    let (mut done, mut back) = (written.clone(), Set::new());
     while let Some(statement) = others.first().and_then(|(_, leader)| leader.get(at)).cloned() {
         let effects = Effects::of(&statement);
         let in_all = others.iter().all(|(_, body)| is_first(body, &statement));
@@ -111,7 +115,7 @@ pub(super) fn out_of<'m>(
         let own = start.as_ref().filter(|_| may && in_all).and_then(|start| {
             let mut own = vec![statement.clone()];
             if !is_first(start, &statement) {
-                own = beginning(places, &statement, &mut done.clone());
+                own = beginning(places, state, &statement, &mut done.clone());
             }
             take_all(&mut Vec::clone(start), &own).then_some(own)
         });
@@ -152,15 +156,21 @@ fn take_all<'m>(list: &mut Vec<Statement<'m>>, statements: &[Statement<'m>]) -> 
     statements.iter().all(|one| take_first(list, one))
 }
 
-/// What is left of a statement in the first cycle, in which places hold what they begin with until something has written them.
+/// What is left of a statement in the first cycle, in which places hold what they begin with until something has written them, and the state
+/// says that this cycle is to come.
 fn beginning<'m>(
     places: &[PlaceInfo<'m>],
+    state: PlaceId,
     statement: &Statement<'m>,
     written: &mut Set<PlaceId>,
 ) -> Vec<Statement<'m>> {
     let held = |written: &Set<PlaceId>, place: PlaceId| {
         let info = &places[place.0];
-        if info.is_field && !written.contains(&place) { at_start(info) } else { None }
+        let held = if info.is_field && !written.contains(&place) { at_start(info) } else { None };
+        match held {
+            Some(Value::Step(step)) if place == state => Some(Value::Start(step)),
+            held => held,
+        }
     };
     let fold = |written: &Set<PlaceId>, expr: &Expr<'m>| {
         let value = |place| held(written, place);
@@ -169,7 +179,7 @@ fn beginning<'m>(
     let all = |written: &mut Set<PlaceId>, block: &[Statement<'m>]| {
         let mut left = Vec::with_capacity(block.len());
         for one in block {
-            left.append(&mut beginning(places, one, written));
+            left.append(&mut beginning(places, state, one, written));
         }
         left
     };
@@ -188,7 +198,7 @@ fn beginning<'m>(
                 let mut elsewhere = written.clone();
                 let (then, otherwise) = (all(written, then), all(&mut elsewhere, otherwise));
                 written.extend(elsewhere.iter().copied());
-                if then.is_empty() && otherwise.is_empty() {
+                if then.is_empty() && otherwise.is_empty() && is_pure(&condition) {
                     return Vec::new();
                 }
                 vec![Statement::If(condition, then, otherwise)]

@@ -63,3 +63,32 @@ fn a_delay_of_a_step_has_another_search() {
     assert!(!chart("b").contains("settled"));
     assert!(chart("(B.X && b)").contains("settled"));
 }
+
+/// Readings of the clock are compared with each other only where none lies more than 2^31 ticks ahead.
+#[test]
+fn a_deadline_beside_a_long_time_is_not_late() {
+    let model = read(
+        "grafcet Long { clock 1us; input a, b: bool; output q: bool; initial step A; step B { q; } \
+         A -[1s/a]-> B -[40m/b]-> A; }",
+    );
+    let program = optimised(&model, &Pass::ALL).expect("a program").to_string();
+    assert!(program.contains("delay0.since") && program.contains("delay1.held"), "{program}");
+    let text = "---\n---\n@0 | |\na b @10 | |\na b @500000 | |\na b @1000009 | |\na b @1000010 | |\na b @1000011 | |\n";
+    each_left_out(&model, text, 6);
+}
+
+/// In the first cycle the state of the chart is that it is to come: what asks for it does not stand in front.
+#[test]
+fn what_asks_for_the_first_situation_is_not_asked_before_it() {
+    let delays = "Idle -[2ms/(3ms/(Idle.X && b))]-> (One, Three); Three -[y]-> Four;";
+    let edges = "Idle -[rising(Idle.X && b)]-> (One, Three); Three -[rising(2ms/y)]-> Four;";
+    for ways in [delays, edges] {
+        let model = read(&format!(
+            "sfc First {{ input b, y, z: bool; output q: bool; initial step Idle; step One {{ q; }} step Three; step Four; \
+             {ways} (One, Four) -[z]-> Idle; }}"
+        ));
+        let from_the_first: String = (0..12).map(|at| format!("b @{at} | |\n")).collect();
+        each_left_out(&model, &format!("---\n---\n{from_the_first}"), 12);
+        each_left_out(&model, &storm(&["b", "y", "z"], 300), 100);
+    }
+}

@@ -180,7 +180,7 @@ impl<'p, 'm> Several<'p, 'm> {
         start.insert(0, Statement::Set(head, Expr::Value(begin)));
         let Value::Step(begin) = begin else { return None };
         let mut others = vec![(Vec::new(), rest)];
-        let mut cycle = hoist::out_of(self.places, head, Some(&mut start), &mut others);
+        let mut cycle = hoist::out_of(self.places, head, Some(&mut start), &mut others, &Set::new());
         rest = others.pop()?.1;
         let may = |statement: &Statement<'m>| !matches!(statement, Statement::Mark(_)) && !writes_to(statement, head);
         let behind = share::ends(&mut [&mut start, &mut rest], &may);
