@@ -87,8 +87,8 @@ fn what_asks_for_the_first_situation_is_not_asked_before_it() {
             "sfc First {{ input b, y, z: bool; output q: bool; initial step Idle; step One {{ q; }} step Three; step Four; \
              {ways} (One, Four) -[z]-> Idle; }}"
         ));
-        let from_the_first: String = (0..12).map(|at| format!("b @{at} | |\n")).collect();
-        each_left_out(&model, &format!("---\n---\n{from_the_first}"), 12);
+        let from_the_first: Vec<String> = (0..12).map(|at| format!("b @{at} | |")).collect();
+        each_left_out(&model, &format!("---\n---\n{}\n", from_the_first.join("\n")), 12);
         each_left_out(&model, &storm(&["b", "y", "z"], 300), 100);
     }
 }
