@@ -47,7 +47,7 @@ fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Option<Vec
         return None;
     }
     let mut order = (0..count).list();
-    sort_so(&mut order, |a, b| compare(*a, *b).then(a.cmp(b)) == Ordering::Less);
+    sort_so(&mut order, &|a, b| compare(a, b).then(a.cmp(&b)) == Ordering::Less);
     Some(order)
 }
 
@@ -67,24 +67,25 @@ fn put<T>(items: &mut [T], order: Option<Vec<usize>>) {
 }
 
 /// Sorts in place; what is equal stays in no order.
-pub(crate) fn sort_unstable<T: Ord>(items: &mut [T]) {
-    sort_so(items, T::lt);
+pub(crate) fn sort_unstable<T: Ord + Copy>(items: &mut [T]) {
+    sort_so(items, &|a, b| a < b);
 }
 
 /// Shell's sort, with Knuth's gaps: one function for each type of item, where the sorts of the standard library are twenty. Lists are
-/// short here, and mostly in order.
-fn sort_so<T>(items: &mut [T], before: impl Fn(&T, &T) -> bool) {
+/// short here, and mostly in order. (`swap` checks each time what it is given, without optimisation.)
+fn sort_so<T: Copy>(items: &mut [T], before: &dyn Fn(T, T) -> bool) {
     let mut gap = 1;
     while gap < items.len() / 3 {
         gap = 3 * gap + 1;
     }
     while gap > 0 {
         for end in gap..items.len() {
-            let mut place = end;
-            while place >= gap && before(&items[place], &items[place - gap]) {
-                items.swap(place, place - gap);
+            let (mut place, item) = (end, items[end]);
+            while place >= gap && before(item, items[place - gap]) {
+                items[place] = items[place - gap];
                 place -= gap;
             }
+            items[place] = item;
         }
         gap /= 3;
     }

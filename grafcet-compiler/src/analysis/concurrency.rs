@@ -97,6 +97,11 @@ impl Concurrency {
         self.relation.contains(a.index(), b.index())
     }
 
+    /// Which steps can be active together, by their numbers.
+    pub(crate) fn relation(&self) -> &Relation {
+        &self.relation
+    }
+
     /// The other steps that can be active together with one.
     pub fn beside(&self, step: StepId) -> impl Iterator<Item = StepId> + '_ {
         self.relation.of(step.index()).map(StepId::new).filter(move |other| *other != step)

@@ -19,6 +19,12 @@ impl Relation {
         Self { size, words, rows: vec![0; size * words] }
     }
 
+    /// Whether there is nothing that could be related.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.size == 0
+    }
+
     /// Relates `a` and `b`; tells whether that is new.
     pub fn insert(&mut self, a: usize, b: usize) -> bool {
         if self.contains(a, b) {
@@ -56,8 +62,51 @@ impl Relation {
         set(&words).into_iter().take_while(|item| *item < self.size).list()
     }
 
+    /// What is related to all of `items` or one of them, not yet to `to`, but to that in `within`; without what is left out. Ascending.
+    #[must_use]
+    pub fn new_beside(&self, items: &[usize], to: usize, within: &Self, but: &Row) -> Vec<usize> {
+        let mut words = vec![u64::MAX; self.words];
+        for item in items {
+            for (word, other) in words.iter_mut().zip(self.row(*item)) {
+                *word &= other;
+            }
+        }
+        for item in items {
+            words[item / 64] |= 1 << (item % 64);
+        }
+        let (known, allowed) = (self.row(to), within.row(to));
+        for (place, word) in words.iter_mut().enumerate() {
+            *word &= !known[place] & allowed[place] & !but.0[place];
+        }
+        set(&words)
+    }
+
+    /// Relates two things no more.
+    pub fn remove(&mut self, a: usize, b: usize) {
+        self.rows[a * self.words + b / 64] &= !(1 << (b % 64));
+        self.rows[b * self.words + a / 64] &= !(1 << (a % 64));
+    }
+
     fn row(&self, a: usize) -> &[u64] {
         &self.rows[a * self.words..(a + 1) * self.words]
+    }
+}
+
+/// Some of the things of a relation.
+pub struct Row(Vec<u64>);
+
+impl Row {
+    /// None of `size` things.
+    #[must_use]
+    pub fn new(size: usize) -> Self {
+        Self(vec![0; size.div_ceil(64)])
+    }
+
+    /// Takes these in, too.
+    pub fn add(&mut self, items: &[usize]) {
+        for item in items {
+            self.0[item / 64] |= 1 << (item % 64);
+        }
     }
 }
 

@@ -23,7 +23,7 @@ mod regions;
 pub mod run;
 mod united;
 
-use crate::analysis::Facts;
+use crate::analysis::{Facts, Relation};
 use crate::model::{
     ActionId, AssociationId, Code, DelayId, EdgeId, Expr as Written, InputId, MacroId, Model, OutputId, ParamId, Place,
     Qualifier, Read, StepId, TransitionId, Tree, Ty, VarId,
@@ -58,8 +58,8 @@ pub struct Program<'m> {
     pub regions: Vec<Vec<StepId>>,
     /// By region: one of its steps is active before and after each evolution.
     pub full: Vec<bool>,
-    /// By step: which others may be active beside it, before and after each evolution; empty where all steps share a place.
-    pub beside: Vec<Set<StepId>>,
+    /// Which steps may be active together, before and after each evolution; without any step where all share a place.
+    pub beside: Relation,
     /// Of two regions at a time, where the search over all of them tells more.
     pub meetings: Vec<Meeting>,
     /// Which regions share a place.

@@ -2,6 +2,7 @@
 
 use super::demands::{Demand, holds};
 use super::{Relation, drags};
+use crate::analysis::relation::Row;
 use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
 use crate::sorted::{Set, sort, sort_unstable};
@@ -10,6 +11,8 @@ use crate::sorted::{Set, sort, sort_unstable};
 pub(super) struct Arc {
     pub(super) sources: Vec<usize>,
     pub(super) targets: Vec<usize>,
+    /// The targets with all that becomes active with them.
+    pub(super) entered: Vec<usize>,
     pub(super) partial: usize,
     /// In each way: the sources and the steps around them are among those that must be active.
     pub(super) demands: Vec<Demand>,
@@ -35,7 +38,13 @@ pub(super) struct Chart {
     /// Per step the linked steps of what it encloses.
     pub(super) links: Vec<Vec<usize>>,
     /// Per step the steps around it.
-    pub(super) around: Vec<Vec<usize>>,
+    around: Vec<Vec<usize>>,
+    /// Per step those within what it encloses.
+    within: Vec<Vec<usize>>,
+    /// Per step those that it forces away, or of which it forces away one around them.
+    pub(super) away: Vec<Vec<usize>>,
+    /// Per partial grafcet the steps that give orders to it.
+    commanding: Vec<Vec<usize>>,
 }
 
 impl Chart {
@@ -50,7 +59,15 @@ impl Chart {
             commands: vec![Vec::new(); steps],
             links: vec![Vec::new(); steps],
             around: model.steps.ids().map(|step| around(model, step)).list(),
+            within: vec![Vec::new(); steps],
+            away: vec![Vec::new(); steps],
+            commanding: vec![Vec::new(); model.partials.len()],
         };
+        for step in 0..steps {
+            for outer in &chart.around[step] {
+                chart.within[*outer].push(step);
+            }
+        }
         for (id, partial) in model.partials.iter() {
             if let Some(outer) = partial.enclosed_by {
                 let linked = partial.steps.iter().filter(|step| model.steps[**step].linked);
@@ -58,6 +75,7 @@ impl Chart {
             }
             for force in model.forces.values().filter(|force| force.target == id) {
                 chart.commands[force.step.index()].push(id.index());
+                chart.commanding[id.index()].push(force.step.index());
                 let forced = match &force.order {
                     ForceOrder::Hold => continue,
                     ForceOrder::Steps(steps) => steps.iter().map(|step| step.index()).list(),
@@ -68,6 +86,9 @@ impl Chart {
                 };
                 chart.forces[force.step.index()].push((id.index(), forced));
             }
+        }
+        for step in (0..steps).filter(|step| !chart.forces[*step].is_empty()).list() {
+            chart.away[step] = (0..steps).filter(|other| chart.forces_away(step, *other)).list();
         }
         chart.draw(model, granted);
         chart.pair(&drags::of(model, may_meet, granted));
@@ -96,9 +117,11 @@ impl Chart {
             if sources.is_empty() {
                 self.sourceless.push(index);
             }
+            let targets: Vec<usize> = transition.targets.iter().map(|step| step.index()).list();
             self.arcs.push(Arc {
                 sources,
-                targets: transition.targets.iter().map(|step| step.index()).list(),
+                entered: self.entered(&targets),
+                targets,
                 partial: transition.partial.index(),
                 demands,
                 asks,
@@ -112,9 +135,8 @@ impl Chart {
     /// the other.
     fn pair(&mut self, drags: &[Vec<usize>]) {
         let arcs = &self.arcs;
-        let entered: Vec<Vec<usize>> = arcs.iter().map(|arc| self.entered(&arc.targets)).list();
         let leaving = self.by_step(arcs.iter().map(|arc| &arc.sources[..]));
-        let entering = self.by_step(entered.iter().map(|entered| &entered[..]));
+        let entering = self.by_step(arcs.iter().map(|arc| &arc.entered[..]));
         let asking: Vec<usize> = (0..arcs.len()).filter(|index| arcs[*index].asks).list();
         let mut activating = vec![Vec::new(); self.part_of.len()];
         for index in &asking {
@@ -167,7 +189,7 @@ impl Chart {
     }
 
     /// The steps with all that becomes active with them: what they enclose and force.
-    pub(super) fn entered(&self, steps: &[usize]) -> Vec<usize> {
+    fn entered(&self, steps: &[usize]) -> Vec<usize> {
         let mut entered: Vec<usize> = Vec::new();
         let mut open = steps.to_vec();
         while let Some(step) = open.pop() {
@@ -181,19 +203,24 @@ impl Chart {
         entered
     }
 
-    /// Whether the step stays active when a transition clears on this demand.
-    pub(super) fn stays(&self, step: usize, arc: &Arc, demand: &Demand, entered: &[usize]) -> bool {
-        let left = |other: &usize| arc.sources.contains(other) && !arc.targets.contains(other);
-        !arc.sources.contains(&step)
-            && !arc.dragged.contains(&step)
-            && !demand.inactive.contains(&step)
-            && !self.commands[step].contains(&arc.partial)
-            && !self.around[step].iter().any(left)
-            && !entered.iter().any(|other| self.forces_away(*other, step))
+    /// The steps that do not stay active when a transition clears on this demand.
+    pub(super) fn gone(&self, arc: &Arc, demand: &Demand) -> Row {
+        let mut gone = Row::new(self.part_of.len());
+        gone.add(&arc.sources);
+        gone.add(&arc.dragged);
+        gone.add(&demand.inactive);
+        gone.add(&self.commanding[arc.partial]);
+        for left in arc.sources.iter().filter(|source| !arc.targets.contains(source)) {
+            gone.add(&self.within[*left]);
+        }
+        for step in &arc.entered {
+            gone.add(&self.away[*step]);
+        }
+        gone
     }
 
     /// Whether a step forces away the other, or a step around it.
-    pub(super) fn forces_away(&self, step: usize, other: usize) -> bool {
+    fn forces_away(&self, step: usize, other: usize) -> bool {
         let away = |other: &usize, (target, forced): &(usize, Vec<usize>)| {
             *target == self.part_of[*other] && !forced.contains(other)
         };

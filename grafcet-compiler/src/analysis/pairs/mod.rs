@@ -51,22 +51,30 @@ pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>
     Pairs { relation: search.relation, reachable: search.reachable, clears: search.clears }
 }
 
-struct Search<'m> {
+struct Search {
     chart: Rc<Chart>,
-    may_meet: &'m Relation,
+    /// What may meet, and is not forced away.
+    allowed: Relation,
     relation: Relation,
     reachable: Vec<bool>,
     clears: Vec<bool>,
     work: Vec<usize>,
     queued: Vec<bool>,
+    /// Per transition, by its demands and partners: that these have cleared together is known.
+    together: Vec<Vec<bool>>,
 }
 
-impl<'m> Search<'m> {
-    fn new(chart: Chart, may_meet: &'m Relation) -> Self {
+impl Search {
+    fn new(chart: Chart, may_meet: &Relation) -> Self {
         let (steps, arcs) = (chart.part_of.len(), chart.arcs.len());
+        let mut allowed = may_meet.clone();
+        for (step, away) in chart.away.iter().enumerate() {
+            away.iter().for_each(|other| allowed.remove(step, *other));
+        }
         Self {
+            together: chart.arcs.iter().map(|arc| vec![false; arc.demands.len() * arc.partners.len()]).list(),
             chart: Rc::new(chart),
-            may_meet,
+            allowed,
             relation: Relation::new(steps),
             reachable: vec![false; steps],
             clears: vec![false; arcs],
@@ -79,46 +87,46 @@ impl<'m> Search<'m> {
     fn fire(&mut self, index: usize) {
         let chart = Rc::clone(&self.chart);
         let arc = &chart.arcs[index];
-        for demand in &arc.demands {
+        for (number, demand) in arc.demands.iter().enumerate() {
             if !self.is_possible(&chart, arc, demand) {
                 continue;
             }
             self.clears[index] = true;
-            let entered = chart.entered(&arc.targets);
-            self.enter_together(&entered);
-            let needed: Vec<usize> = demand.active.iter().copied().list();
-            for target in &entered {
-                let bystanders = self.relation.common_beyond(&needed, *target).into_iter().and(needed.iter().copied());
-                for bystander in bystanders.list() {
-                    if self.reachable[bystander] && chart.stays(bystander, arc, demand, &entered) {
+            self.enter_together(&arc.entered);
+            let gone = chart.gone(arc, demand);
+            for target in &arc.entered {
+                for bystander in self.relation.new_beside(&demand.active, *target, &self.allowed, &gone) {
+                    if self.reachable[bystander] {
                         self.relate(*target, bystander);
                     }
                 }
             }
-            for partner in &arc.partners {
-                self.fire_together(&chart, demand, *partner, &entered);
+            for (at, partner) in arc.partners.iter().enumerate() {
+                let at = number * arc.partners.len() + at;
+                if !self.together[index][at] && self.clear_together(&chart, demand, *partner) {
+                    self.together[index][at] = true;
+                    for a in &arc.entered {
+                        for b in &chart.arcs[*partner].entered {
+                            self.reach(*b);
+                            self.relate(*a, *b);
+                        }
+                    }
+                }
             }
         }
     }
 
-    /// The same where another transition clears in the same evolution.
-    fn fire_together(&mut self, chart: &Chart, demand: &Demand, partner: usize, entered: &[usize]) {
+    /// Whether another transition may clear in the same evolution.
+    fn clear_together(&self, chart: &Chart, demand: &Demand, partner: usize) -> bool {
         let other = &chart.arcs[partner];
-        let meets = |search: &Self, theirs: &Demand| {
-            let apart = |a: &usize| theirs.active.iter().any(|b| a != b && !search.relation.contains(*a, *b));
-            search.is_possible(chart, other, theirs)
+        let meets = |theirs: &Demand| {
+            let apart = |a: &usize| theirs.active.iter().any(|b| a != b && !self.relation.contains(*a, *b));
+            self.is_possible(chart, other, theirs)
                 && demand.inactive.is_disjoint(&theirs.active)
                 && theirs.inactive.is_disjoint(&demand.active)
                 && !demand.active.iter().any(apart)
         };
-        if other.demands.iter().any(|theirs| meets(self, theirs)) {
-            for a in entered {
-                for b in chart.entered(&other.targets) {
-                    self.reach(b);
-                    self.relate(*a, b);
-                }
-            }
-        }
+        other.demands.iter().any(meets)
     }
 
     /// Whether some situation may contain all that this demand needs, and no order holds the partial grafcet.
@@ -160,18 +168,17 @@ impl<'m> Search<'m> {
     /// Notes that two steps can be active together, and with them what they force.
     fn relate(&mut self, a: usize, b: usize) {
         let chart = Rc::clone(&self.chart);
-        let mut pairs = vec![(a, b)];
-        while let Some((a, b)) = pairs.pop() {
-            let barred = !self.may_meet.contains(a, b) || chart.forces_away(a, b) || chart.forces_away(b, a);
-            if a == b || barred || !self.relation.insert(a, b) {
-                continue;
+        let (mut pair, mut open) = (Some((a, b)), Vec::new());
+        while let Some((a, b)) = pair {
+            if a != b && self.allowed.contains(a, b) && self.relation.insert(a, b) {
+                self.queue_all(&chart.needing[a]);
+                self.queue_all(&chart.needing[b]);
+                for (one, other) in [(a, b), (b, a)] {
+                    let forced = chart.forces[one].iter().flat(|(_, forced)| forced);
+                    open.push_all(forced.map(|step| (*step, other)));
+                }
             }
-            self.queue_all(&chart.needing[a]);
-            self.queue_all(&chart.needing[b]);
-            for (one, other) in [(a, b), (b, a)] {
-                let forced = chart.forces[one].iter().flat(|(_, forced)| forced);
-                pairs.push_all(forced.map(|step| (*step, other)));
-            }
+            pair = open.pop();
         }
     }
 

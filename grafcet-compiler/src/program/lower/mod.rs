@@ -32,7 +32,7 @@ mod view;
 use std::fmt;
 
 use super::{Expr, PlaceId, PlaceInfo, Program, Regions, Search, Statement};
-use crate::analysis::{Facts, combinational, hierarchy::masters};
+use crate::analysis::{Facts, Relation, combinational, hierarchy::masters};
 use crate::list::List;
 use crate::model::{Blinker, Effect, Id, Model, PartialId, Place, Qualifier, StepId, Ty};
 use crate::sorted::Set;
@@ -94,12 +94,7 @@ fn program<'m>(model: &'m Model, facts: &Facts<'_>, clocks: Clocks) -> Result<Pr
     let deadline = lower.deadline();
     let regions: Vec<Vec<StepId>> = regions.all().iter().map(|region| region.steps.clone()).list();
     let full = lower.regions.all().iter().map(|region| !region.may_be_empty).list();
-    let mut beside = Vec::new();
-    if regions.len() > 1 {
-        for step in model.steps.ids() {
-            beside.push(facts.concurrency.beside(step).collect());
-        }
-    }
+    let beside = if regions.len() > 1 { facts.concurrency.relation().clone() } else { Relation::new(0) };
     let searches = facts.searches(model);
     let mut excluding = Vec::new();
     if model.is_grafcet() && regions.len() == 1 {

@@ -222,7 +222,7 @@ impl<'m> Beside<'_, 'm> {
         }
         let mut possible = Vec::new();
         for step in &self.program.regions[region] {
-            if self.state.is_none_or(|state| self.program.beside[state.index()].contains(step)) {
+            if self.state.is_none_or(|state| self.program.beside.contains(state.index(), step.index())) {
                 possible.push(Some(*step));
             }
         }

@@ -26,7 +26,7 @@ use crate::analysis::explore::semantics::turn::Turn;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{State, Valuation, When};
 use crate::model::{StepId, TransitionId};
-use crate::sorted::{sort, sort_unstable};
+use crate::sorted::{Set, sort, sort_unstable};
 
 /// Explores one piece of a chart, or all of it.
 pub(crate) struct Search<'n, 's> {
@@ -43,6 +43,8 @@ pub(crate) struct Search<'n, 's> {
     commanded: bool,
     /// An order can hold the piece in the middle of a search.
     held: bool,
+    /// The last state from which that was noted, and in which situations.
+    holds: (usize, Set<Vec<StepId>>),
     /// See [`Search::cut_anywhere`].
     cut: bool,
     /// See [`Search::thoroughly`].
@@ -66,6 +68,7 @@ impl<'n, 's> Search<'n, 's> {
             lazy,
             commanded: false,
             held: false,
+            holds: (0, Set::new()),
             cut: false,
             thorough: false,
             timed: false,
@@ -278,9 +281,12 @@ impl<'n, 's> Search<'n, 's> {
         for pair in met {
             self.valuation.have_met[pair] = true;
         }
+        if self.held && self.holds.0 != from {
+            self.holds = (from, Set::new());
+        }
         for active in &done.transient {
             self.seen.situation(active);
-            if self.held {
+            if self.held && self.holds.1.insert(active.clone()) {
                 // What it remembers then is not followed within a search.
                 let slots = vec![Bit::Any; net.initial_slots.len()].into();
                 let (active, before, ages) = (active.clone().into(), Box::default(), Box::default());

@@ -3,7 +3,8 @@
 use super::super::super::{Comparison, Expr, PlaceId, Program, Role, Statement, Type, Value};
 use super::super::fold::initial;
 use super::super::uses::{Effects, blocks, each_read};
-use super::Before;
+use super::{Before, Region};
+use crate::list::List;
 use crate::model::Id;
 use crate::sorted::Set;
 
@@ -28,13 +29,15 @@ pub(super) struct Ways {
 #[derive(Clone)]
 struct Way {
     done: Set<Done>,
-    /// By region: the states with which the cycle may have begun; none as soon as it has another one.
-    possible: Vec<Option<Vec<Value>>>,
+    /// By region: with which of its states the cycle may have begun; none as soon as it has another one.
+    possible: Vec<Option<Vec<bool>>>,
 }
 
 struct Walk<'p, 'm> {
     program: &'p Program<'m>,
     before: &'p Before,
+    /// By region: all its states.
+    states: Vec<Vec<Value>>,
     /// Truths by which a way says whether it has settled.
     gathered: Vec<PlaceId>,
     /// Places of which the cycle makes a copy, and the copies.
@@ -57,7 +60,8 @@ impl Ways {
         }
         let mut copied = Vec::new();
         find_copied(program, &program.cycle, &[&gathered[..], &[before.settled]].concat(), &mut copied);
-        let mut walk = Walk { program, before, gathered, copied, entries: Vec::new() };
+        let states = before.regions.iter().map(|region| states(program, region)).list();
+        let mut walk = Walk { program, before, states, gathered, copied, entries: Vec::new() };
         if 2 + 2 * before.regions.len() + walk.gathered.len() + walk.copied.len() > 31 {
             return None;
         }
@@ -65,13 +69,7 @@ impl Ways {
         // Whatever the last cycle has told, and whatever the copies hold.
         let changed = (0..walk.copied.len()).fold(0, |bits, at| bits | walk.changed(at));
         way.done.extend([changed, changed | SETTLED]);
-        for region in &before.regions {
-            let start = initial(&program.places[region.state.0]);
-            let mut all: Vec<Value> = start.into_iter().filter(|value| matches!(value, Value::Start(_))).collect();
-            all.extend((!program.full[region.number]).then_some(Value::Step(None)));
-            all.extend(program.regions[region.number].iter().map(|step| Value::Step(Some(*step))));
-            way.possible.push(Some(all));
-        }
+        way.possible = walk.states.iter().map(|all| Some(vec![true; all.len()])).list();
         walk.block(&program.cycle, &mut way)?;
         let told = way.done.iter().all(|done| walk.is_told(*done));
         let mut enters = Vec::with_capacity(before.regions.len());
@@ -141,7 +139,6 @@ impl<'m> Walk<'_, 'm> {
                     for (values, body) in arms {
                         let mut arm = way.clone();
                         self.keep(*place, &mut arm, &|value| values.contains(&value));
-                        self.keep(*place, &mut rest, &|value| !values.contains(&value));
                         // What is told begins as "not settled".
                         if values.iter().all(|value| matches!(value, Value::Start(_))) {
                             arm.done.retain(|done| done & SETTLED == 0);
@@ -149,8 +146,9 @@ impl<'m> Walk<'_, 'm> {
                         self.block(body, &mut arm)?;
                         met = Some(met.map_or(arm.clone(), |met| met.met(arm)));
                     }
-                    let has_rest = self.region(*place).is_none_or(|at| rest.possible[at].as_ref() != Some(&Vec::new()));
-                    if has_rest {
+                    self.keep(*place, &mut rest, &|value| !arms.iter().any(|(values, _)| values.contains(&value)));
+                    let has_rest = |at: usize| rest.possible[at].as_ref().is_none_or(|possible| possible.contains(&true));
+                    if self.region(*place).is_none_or(has_rest) {
                         self.block(otherwise, &mut rest)?;
                         met = Some(met.map_or(rest.clone(), |met| met.met(rest)));
                     }
@@ -180,12 +178,17 @@ impl<'m> Walk<'_, 'm> {
     fn keep(&self, place: PlaceId, way: &mut Way, is_kept: &dyn Fn(Value) -> bool) {
         let Some(at) = self.region(place) else { return };
         let Some(possible) = &mut way.possible[at] else { return };
-        possible.retain(|value| is_kept(*value));
-        let left = possible.clone();
+        let mut left = Vec::new();
+        for (possible, value) in possible.iter_mut().zip(&self.states[at]) {
+            *possible &= is_kept(*value);
+            left.extend(possible.then_some(*value));
+        }
         for (other, region) in self.before.regions.iter().enumerate().filter(|(other, _)| *other != at) {
             if let Some(possible) = &mut way.possible[other] {
                 let begins = initial(&self.program.places[region.state.0]);
-                possible.retain(|value| left.iter().any(|one| self.is_beside(*one, *value, begins)));
+                for (possible, value) in possible.iter_mut().zip(&self.states[other]).filter(|(possible, _)| **possible) {
+                    *possible = left.iter().any(|one| self.is_beside(*one, *value, begins));
+                }
             }
         }
     }
@@ -193,7 +196,7 @@ impl<'m> Walk<'_, 'm> {
     /// Whether one region can have this state while another one has that, which begins with the last.
     fn is_beside(&self, one: Value, other: Value, begins: Option<Value>) -> bool {
         match (one, other) {
-            (Value::Step(Some(one)), Value::Step(Some(other))) => self.program.beside[one.index()].contains(&other),
+            (Value::Step(Some(one)), Value::Step(Some(other))) => self.program.beside.contains(one.index(), other.index()),
             (Value::Start(_), other) => begins == Some(other),
             (_, Value::Start(_)) => false,
             _ => true,
@@ -233,7 +236,8 @@ impl<'m> Walk<'_, 'm> {
         }
         if let Some(at) = self.region(place) {
             let Expr::Value(to @ Value::Step(step)) = value else { return None };
-            let from = way.possible[at].take()?;
+            let possible = way.possible[at].take()?;
+            let from = self.states[at].iter().zip(possible).filter(|(_, possible)| *possible).map(|(value, _)| *value).list();
             if from.contains(to) {
                 return None;
             }
@@ -294,18 +298,21 @@ impl Way {
         self.done.extend(other.done.iter().copied());
         for (one, other) in self.possible.iter_mut().zip(other.possible) {
             match (&mut *one, other) {
-                (Some(all), Some(more)) => {
-                    for value in more {
-                        if !all.contains(&value) {
-                            all.push(value);
-                        }
-                    }
-                }
+                (Some(all), Some(more)) => all.iter_mut().zip(more).for_each(|(one, other)| *one |= other),
                 _ => *one = None,
             }
         }
         self
     }
+}
+
+/// All states of a region; before the first cycle it has one of its own, if any tells that.
+fn states(program: &Program<'_>, region: &Region) -> Vec<Value> {
+    let start = initial(&program.places[region.state.0]);
+    let mut all = start.into_iter().filter(|value| matches!(value, Value::Start(_))).list();
+    all.extend((!program.full[region.number]).then_some(Value::Step(None)));
+    all.extend(program.regions[region.number].iter().map(|step| Value::Step(Some(*step))));
+    all
 }
 
 fn with(done: Done, bit: Done, truth: bool) -> Done {

@@ -41,6 +41,7 @@ use super::share;
 use super::sparse::{Index, States};
 use super::starting;
 use super::uses::{Effects, each_asked, each_written, is_read_in, mentions, writes_to};
+use crate::analysis::Relation;
 use crate::list::List;
 use crate::model::StepId;
 use crate::sorted::Set;
@@ -88,7 +89,7 @@ pub(super) struct Env {
 
 pub(super) struct Several<'p, 'm> {
     pub(super) places: &'p [PlaceInfo<'m>],
-    beside: &'p [Set<StepId>],
+    beside: &'p Relation,
     /// By region: its place, and its states.
     pub(super) states: Vec<PlaceId>,
     /// By region: where its state before is kept.

@@ -121,7 +121,7 @@ impl<'m> Several<'_, 'm> {
 
     pub(super) fn may_meet(&self, one: Option<StepId>, other: Option<StepId>) -> bool {
         let (Some(one), Some(other)) = (one, other) else { return true };
-        self.beside[one.index()].contains(&other)
+        self.beside.contains(one.index(), other.index())
     }
 
     /// What ways to one state have in common is done after them, by that state.

@@ -186,7 +186,7 @@ fn together(
     for state in states {
         let meets = |(at, other): (usize, &Option<StepId>)| {
             let beside = match (state, other) {
-                (Some(step), Some(other)) => program.beside[step.index()].contains(other),
+                (Some(step), Some(other)) => program.beside.contains(step.index(), other.index()),
                 _ => true,
             };
             let allowed = |meeting: &Meeting| meeting.allows((regions[at], *other), (*region, state));

@@ -119,7 +119,13 @@ pub(super) fn delay(sketch: &mut Sketch) {
         0 => format!("({}/{of})", times[0]),
         _ => format!("({}/{of}/{})", times[0], times[1]),
     };
-    let other = if sketch.rng.chance(30) { format!("({}/b/{})", times[2], times[3]) } else { "b".to_owned() };
+    let other = match sketch.rng.below(10) {
+        0 | 1 => format!("({}/b/{})", times[2], times[3]),
+        2 => format!("({}/({}/b))", times[2], times[3]),
+        // Longer than readings of the clock can be compared.
+        3 => format!("(2200000s/b/{})", times[3]),
+        _ => "b".to_owned(),
+    };
     let shown = match sketch.rng.below(3) {
         0 => format!("N q0 if {delay};"),
         1 => format!("N q0 if !{delay};"),

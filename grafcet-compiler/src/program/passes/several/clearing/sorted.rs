@@ -197,9 +197,14 @@ impl<'m> Several<'_, 'm> {
             let regions = || all.iter().filter(move |(_, moved)| moved.truth == truth).map(|(_, moved)| moved.region);
             // Whoever leads back moves another region.
             let mut surely = vec![false; clearings.len()];
-            for _ in clearings {
+            let mut is_changed = true;
+            while is_changed {
+                is_changed = false;
                 for (at, one) in clearings.iter().enumerate() {
-                    surely[at] |= regions().any(|region| one.moves(region, clearings, |other| surely[other]));
+                    if !surely[at] && regions().any(|region| one.moves(region, clearings, |other| surely[other])) {
+                        surely[at] = true;
+                        is_changed = true;
+                    }
                 }
             }
             surely.iter().all(|is| *is)
