@@ -43,7 +43,7 @@ pub use mixed::mixed;
 pub use nesting::Nesting;
 pub(crate) use numbers::constant as integer_constant;
 pub use races::{Meet, Races, Writer};
-pub use relation::Relation;
+pub use relation::{Relation, Row};
 pub use searches::Searches;
 pub use stability::{Ends, Stability, is_constant_read};
 pub use together::Situations;

@@ -1,6 +1,5 @@
 //! A symmetric relation between things counted from 0.
 
-use crate::list::List;
 use std::vec;
 
 /// Pairs of indices, one bit each.
@@ -50,35 +49,42 @@ impl Relation {
     /// Everything related to all of `items` (everything there is, if there are none) and not yet to `to`, ascending.
     #[must_use]
     pub fn common_beyond(&self, items: &[usize], to: usize) -> Vec<usize> {
-        let mut words = vec![u64::MAX; self.words];
-        for item in items {
-            for (word, other) in words.iter_mut().zip(self.row(*item)) {
-                *word &= other;
-            }
+        let mut found = Vec::new();
+        for place in 0..self.words {
+            each_bit(place, self.common(items, place) & !self.rows[to * self.words + place], &mut found);
         }
-        for (word, known) in words.iter_mut().zip(self.row(to)) {
-            *word &= !known;
-        }
-        set(&words).into_iter().take_while(|item| *item < self.size).list()
+        found.truncate(found.partition_point(|item| *item < self.size));
+        found
     }
 
     /// What is related to all of `items` or one of them, not yet to `to`, but to that in `within`; without what is left out. Ascending.
     #[must_use]
     pub fn new_beside(&self, items: &[usize], to: usize, within: &Self, but: &Row) -> Vec<usize> {
-        let mut words = vec![u64::MAX; self.words];
-        for item in items {
-            for (word, other) in words.iter_mut().zip(self.row(*item)) {
-                *word &= other;
+        let mut found = Vec::new();
+        for place in 0..self.words {
+            let mut word = self.common(items, place);
+            for item in items.iter().filter(|item| **item / 64 == place) {
+                word |= 1 << (item % 64);
             }
+            let at = to * self.words + place;
+            each_bit(place, word & within.rows[at] & !(self.rows[at] | but.0[place]), &mut found);
         }
+        found
+    }
+
+    /// A word of what all of `items` are related to.
+    fn common(&self, items: &[usize], place: usize) -> u64 {
+        let mut word = u64::MAX;
         for item in items {
-            words[item / 64] |= 1 << (item % 64);
+            word &= self.rows[item * self.words + place];
         }
-        let (known, allowed) = (self.row(to), within.row(to));
-        for (place, word) in words.iter_mut().enumerate() {
-            *word &= !known[place] & allowed[place] & !but.0[place];
-        }
-        set(&words)
+        word
+    }
+
+    /// Whether `a` is related to one of these.
+    #[must_use]
+    pub fn meets(&self, a: usize, these: &Row) -> bool {
+        self.row(a).iter().zip(&these.0).any(|(related, one)| related & one != 0)
     }
 
     /// Relates two things no more.
@@ -114,11 +120,15 @@ impl Row {
 fn set(row: &[u64]) -> Vec<usize> {
     let mut found = Vec::new();
     for (place, word) in row.iter().enumerate() {
-        let mut rest = *word;
-        while rest != 0 {
-            found.push(place * 64 + rest.trailing_zeros() as usize);
-            rest &= rest - 1;
-        }
+        each_bit(place, *word, &mut found);
     }
     found
+}
+
+/// Adds the positions of the bits of one word of a row.
+fn each_bit(place: usize, mut word: u64, found: &mut Vec<usize>) {
+    while word != 0 {
+        found.push(place * 64 + word.trailing_zeros() as usize);
+        word &= word - 1;
+    }
 }

@@ -4,7 +4,7 @@
 //! well-nested chart has no induced path of four steps (it is a cograph), and on such a graph the greedy colouring
 //! needs the fewest colours in any order: one for a chart without parallel branches, else one per parallel branch.
 
-use crate::analysis::Concurrency;
+use crate::analysis::{Concurrency, Row};
 use crate::model::{ForceOrder, Id, Model, PartialId, StepId};
 use crate::sorted::Set;
 
@@ -35,18 +35,19 @@ impl Regions {
     pub fn of(model: &Model, concurrency: &Concurrency, initial: &Set<StepId>) -> Self {
         let mut regions: Vec<Region> = Vec::new();
         let mut of_step = Vec::with_capacity(model.steps.len());
+        // By region: its steps so far.
+        let mut rows: Vec<Row> = Vec::new();
         for step in model.steps.ids() {
             let partial = model.steps[step].partial;
-            let mut meets = vec![false; regions.len()];
-            for other in concurrency.beside(step).take_while(|other| *other < step) {
-                meets[of_step[other.index()]] = true;
-            }
-            let fits = |(id, region): (usize, &Region)| region.partial == partial && !meets[id];
-            let region = regions.iter().enumerate().position(fits).unwrap_or_else(|| {
+            let meets = |steps: &Row| concurrency.relation().meets(step.index(), steps);
+            let fits = |(region, steps): (&Region, &Row)| region.partial == partial && !meets(steps);
+            let region = regions.iter().zip(&rows).position(fits).unwrap_or_else(|| {
                 regions.push(Region { partial, steps: Vec::new(), initial: None, may_be_empty: true });
+                rows.push(Row::new(model.steps.len()));
                 regions.len() - 1
             });
             regions[region].steps.push(step);
+            rows[region].add(&[step.index()]);
             if initial.contains(&step) {
                 regions[region].initial = Some(step);
             }

@@ -2,7 +2,7 @@
 
 use super::demands::{Demand, holds};
 use super::{Relation, drags};
-use crate::analysis::relation::Row;
+use crate::analysis::Row;
 use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
 use crate::sorted::{Set, sort, sort_unstable};

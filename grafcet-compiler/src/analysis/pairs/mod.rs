@@ -121,10 +121,11 @@ impl Search {
         let other = &chart.arcs[partner];
         let meets = |theirs: &Demand| {
             let apart = |a: &usize| theirs.active.iter().any(|b| a != b && !self.relation.contains(*a, *b));
-            self.is_possible(chart, other, theirs)
+            // What fails most often is asked first.
+            !demand.active.iter().any(apart)
                 && demand.inactive.is_disjoint(&theirs.active)
                 && theirs.inactive.is_disjoint(&demand.active)
-                && !demand.active.iter().any(apart)
+                && self.is_possible(chart, other, theirs)
         };
         other.demands.iter().any(meets)
     }
@@ -173,7 +174,7 @@ impl Search {
             if a != b && self.allowed.contains(a, b) && self.relation.insert(a, b) {
                 self.queue_all(&chart.needing[a]);
                 self.queue_all(&chart.needing[b]);
-                for (one, other) in [(a, b), (b, a)] {
+                for (one, other) in [(a, b), (b, a)].into_iter().filter(|(one, _)| !chart.forces[*one].is_empty()) {
                     let forced = chart.forces[one].iter().flat(|(_, forced)| forced);
                     open.push_all(forced.map(|step| (*step, other)));
                 }

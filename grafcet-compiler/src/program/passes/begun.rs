@@ -77,25 +77,31 @@ impl Region {
         Some(asked)
     }
 
-    fn block(&self, statements: &[Statement<'_>], mut known: Known, asked: &mut Vec<Value>) -> Option<()> {
+    /// What is asked in some statements; whether they write the state.
+    fn block(&self, statements: &[Statement<'_>], mut known: Known, asked: &mut Vec<Value>) -> Option<bool> {
+        let mut writes_any = false;
         for statement in statements {
-            match statement {
+            let writes = match statement {
                 Statement::Set(place, Expr::Value(value)) if *place == self.state => {
                     known = Some(vec![*value]);
+                    writes_any = true;
                     continue;
                 }
-                Statement::Set(_, value) => _ = self.narrowed(value, known.clone(), asked)?,
+                Statement::Set(place, value) => {
+                    self.narrowed(value, known.clone(), asked)?;
+                    *place == self.state
+                }
                 Statement::If(condition, then, otherwise) => {
                     let inner = self.narrowed(condition, known.clone(), asked)?;
-                    self.block(then, inner, asked)?;
-                    self.block(otherwise, known.clone(), asked)?;
+                    self.block(then, inner, asked)? | self.block(otherwise, known.clone(), asked)?
                 }
                 Statement::Match(place, arms, otherwise) => {
+                    let mut writes = self.block(otherwise, known.clone(), asked)?;
                     for (values, body) in arms {
                         let inner = if *place == self.state { Some(values.clone()) } else { known.clone() };
-                        self.block(body, inner, asked)?;
+                        writes |= self.block(body, inner, asked)?;
                     }
-                    self.block(otherwise, known.clone(), asked)?;
+                    writes
                 }
                 Statement::Loop { body, .. } => self.block(body, None, asked)?,
                 Statement::Part(_, body) => self.block(body, known.clone(), asked)?,
@@ -103,13 +109,15 @@ impl Region {
                     if reads_from(other, self.since) {
                         asked.extend(known.clone()?);
                     }
+                    writes_to(other, self.state)
                 }
-            }
-            if writes_to(statement, self.state) {
+            };
+            if writes {
                 known = None;
             }
+            writes_any |= writes;
         }
-        Some(())
+        Some(writes_any)
     }
 
     /// What is known where an expression holds. Where it reads the time, something has to be known of the state.
@@ -172,35 +180,38 @@ impl Region {
         }
     }
 
-    /// Nothing begins where the step that becomes active does not ask. `begin` is the initial one if it does not.
-    fn thin(&self, statements: &mut Vec<Statement<'_>>, asked: &[Value], begin: Option<Value>) {
-        let mut leads = Vec::new();
-        for statement in statements.iter() {
+    /// Nothing begins where the step that becomes active does not ask. `begin` is the initial one if it does not. Returned is whether the state is written.
+    fn thin(&self, statements: &mut Vec<Statement<'_>>, asked: &[Value], begin: Option<Value>) -> bool {
+        let (mut leads, mut writes_within) = (Vec::new(), false);
+        for statement in statements.iter_mut() {
             match statement {
                 Statement::Set(place, Expr::Value(value)) if *place == self.state => leads.push(*value),
-                other => {
-                    if writes_to(other, self.state) {
-                        leads.clear();
-                        break;
-                    }
-                }
+                other => writes_within |= self.thin_within(other, asked, begin),
             }
         }
-        if matches!(leads[..], [to] if !asked.contains(&to)) {
+        if !writes_within && matches!(leads[..], [to] if !asked.contains(&to)) {
             statements.retain(|one| !self.begins_here(one, None));
-        }
-        for statement in statements.iter_mut() {
-            if let (Statement::If(Expr::Place(place), then, _), Some(_)) = (&mut *statement, begin) {
-                if Some(*place) == self.first && !is_written_in(then, self.state) {
-                    then.retain(|one| !self.begins_here(one, None));
-                }
-            }
-            for block in blocks_mut(statement) {
-                self.thin(block, asked, begin);
-            }
         }
         let does_nothing = |one: &Statement<'_>| matches!(one, Statement::If(Expr::Place(_), then, otherwise) if then.is_empty() && otherwise.is_empty());
         statements.retain(|one| !does_nothing(one));
+        writes_within || !leads.is_empty()
+    }
+
+    fn thin_within(&self, statement: &mut Statement<'_>, asked: &[Value], begin: Option<Value>) -> bool {
+        if let (Statement::If(Expr::Place(place), then, _), Some(_)) = (&mut *statement, begin) {
+            if Some(*place) == self.first && !is_written_in(then, self.state) {
+                then.retain(|one| !self.begins_here(one, None));
+            }
+        }
+        let blocks = blocks_mut(statement);
+        if blocks.is_empty() {
+            return writes_to(statement, self.state);
+        }
+        let mut writes = false;
+        for block in blocks {
+            writes |= self.thin(block, asked, begin);
+        }
+        writes
     }
 }
 

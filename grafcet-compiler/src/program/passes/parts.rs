@@ -16,7 +16,7 @@ use super::super::{Expr, PlaceId, PlaceInfo, Role, Statement};
 use super::belonging::Groups;
 use super::uses::{Effects, each_read, each_written, is_pure, mentions};
 use crate::list::List;
-use crate::sorted::Set;
+use crate::sorted::{Map, Set};
 
 /// Some statements, and the regions they concern.
 #[derive(Clone)]
@@ -164,13 +164,12 @@ struct Order {
     /// By statement: those that come after it, and how many come before it.
     next: Vec<Vec<usize>>,
     open: Vec<usize>,
-    done: Vec<bool>,
 }
 
 impl Order {
     fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Self {
         let count = list.len();
-        let mut order = Self { next: vec![Vec::new(); count], open: vec![0; count], done: vec![false; count] };
+        let mut order = Self { next: vec![Vec::new(); count], open: vec![0; count] };
         // By place: who wrote it last, who has added to it and who has read it since.
         let mut written: Vec<Option<usize>> = vec![None; places.len()];
         let mut gathered: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
@@ -216,53 +215,84 @@ impl Order {
     /// In an order in which those of one key stand together as far as that is possible.
     fn scheduled(mut self, keys: &[Option<usize>]) -> Vec<usize> {
         let mut order = Vec::with_capacity(keys.len());
-        let mut ready: Set<usize> = Set::new();
-        ready.extend((0..keys.len()).filter(|at| self.open[*at] == 0));
+        let (mut ready, mut left): (Ready, Map<Option<usize>, usize>) = (Ready::default(), Map::new());
+        for (at, key) in keys.iter().enumerate() {
+            *left.or_default(*key) += 1;
+            if self.open[at] == 0 {
+                ready.insert(at, *key);
+            }
+        }
         let mut current = None;
-        while let Some(first) = ready.first().copied() {
-            let of = |key: Option<usize>| ready.iter().copied().find(|at| keys[*at] == key);
-            let at = match of(current) {
+        while let Some(first) = ready.all.first().copied() {
+            let at = match ready.first_of(current) {
                 Some(at) => at,
-                None => of(None).or_else(|| self.whole(&ready, keys)).unwrap_or(first),
+                None => ready.first_of(None).or_else(|| self.whole(&ready, keys, &left)).unwrap_or(first),
             };
             current = keys[at];
-            ready.remove(&at);
+            ready.remove(at, current);
+            *left.or_default(current) -= 1;
             order.push(at);
-            self.done[at] = true;
             for next in std::mem::take(&mut self.next[at]) {
                 self.open[next] -= 1;
                 if self.open[next] == 0 {
-                    ready.insert(next);
+                    ready.insert(next, keys[next]);
                 }
             }
         }
         order
     }
 
-    /// The first statement of a key of which nothing waits for another key.
-    fn whole(&self, ready: &Set<usize>, keys: &[Option<usize>]) -> Option<usize> {
+    /// The first statement of a key of which nothing waits for another key. `left` tells how many statements of a key are left.
+    fn whole(&mut self, ready: &Ready, keys: &[Option<usize>], left: &Map<Option<usize>, usize>) -> Option<usize> {
         let mut tried: Set<Option<usize>> = Set::new();
-        for at in &**ready {
-            if !tried.insert(keys[*at]) {
+        for at in &*ready.all {
+            let key = keys[*at];
+            if !tried.insert(key) {
                 continue;
             }
-            let mut open = self.open.clone();
-            let mut stack: Vec<usize> = ready.iter().copied().filter(|other| keys[*other] == keys[*at]).collect();
-            let mut reached = 0;
+            let mut stack = ready.by_key.get(&key).map(|all| all.to_vec()).unwrap_or_default();
+            // What does not wait any more, to be taken back.
+            let (mut reached, mut passed) = (0, Vec::new());
             while let Some(one) = stack.pop() {
                 reached += 1;
                 for next in &self.next[one] {
-                    open[*next] -= 1;
-                    if open[*next] == 0 && keys[*next] == keys[*at] {
+                    self.open[*next] -= 1;
+                    passed.push(*next);
+                    if self.open[*next] == 0 && keys[*next] == key {
                         stack.push(*next);
                     }
                 }
             }
-            let left = (0..keys.len()).filter(|other| keys[*other] == keys[*at] && !self.done[*other]).count();
-            if reached == left {
+            for next in passed {
+                self.open[next] += 1;
+            }
+            if left.get(&key) == Some(&reached) {
                 return Some(*at);
             }
         }
         None
+    }
+}
+
+/// The statements that wait for none, all of them and by key.
+#[derive(Default)]
+struct Ready {
+    all: Set<usize>,
+    by_key: Map<Option<usize>, Set<usize>>,
+}
+
+impl Ready {
+    fn insert(&mut self, at: usize, key: Option<usize>) {
+        self.all.insert(at);
+        self.by_key.or_default(key).insert(at);
+    }
+
+    fn remove(&mut self, at: usize, key: Option<usize>) {
+        self.all.remove(&at);
+        self.by_key.or_default(key).remove(&at);
+    }
+
+    fn first_of(&self, key: Option<usize>) -> Option<usize> {
+        self.by_key.get(&key)?.first().copied()
     }
 }

@@ -71,6 +71,7 @@ pub(crate) fn later(valuation: &mut Valuation<'_>, enabled: &[TransitionId]) -> 
     if open.is_empty() || !may_arbitrate(valuation, &open) {
         return open;
     }
+    valuation.work += open.len() as u64;
     arbitrate(valuation, &find(valuation.net, &open), false)
 }
 

@@ -275,12 +275,17 @@ impl<'p, 'm> Several<'p, 'm> {
 
     /// What nobody looks at is left away.
     pub(super) fn swept(&self, mut body: Vec<Statement<'m>>, env: &Env) -> Vec<Statement<'m>> {
+        Live::with(&self.read_after, self.later(env)).sweep(&mut body);
+        body
+    }
+
+    /// What is read behind some statements.
+    fn later(&self, env: &Env) -> Places {
         let mut later = self.read_after.clone();
         for place in &*env.later {
             later.put(*place, true);
         }
-        Live::with(&self.read_after, later).sweep(&mut body);
-        body
+        later
     }
 
     pub(super) fn spec(&self, list: &[Statement<'m>], env: &Env) -> Vec<Statement<'m>> {

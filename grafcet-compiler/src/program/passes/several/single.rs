@@ -1,6 +1,7 @@
 //! A part of one region: for each state what is done in it, and whether the ways to a state act on their own.
 
 use super::super::engine::{Among, Fact, Tree};
+use super::super::live::Live;
 use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::{Index, deciding};
@@ -71,6 +72,7 @@ impl<'m> Several<'_, 'm> {
                 *forks &= matches!(place.ty, Type::Bool);
             }
         }
+        let later = self.later(env);
         let mut engine = self.engine(list, &index, region, env);
         engine.tells_all = tells_all;
         let mut arms = Vec::new();
@@ -89,9 +91,8 @@ impl<'m> Several<'_, 'm> {
                 }
             }
             let point = points.point(Value::Step(*step))?;
-            let tree = engine.from(point, &known, WAYS).ok()?;
-            let mut tree = tree;
-            tree.each_leaf_mut(&mut |leaf| leaf.body = self.swept(std::mem::take(&mut leaf.body), env));
+            let mut tree = engine.from(point, &known, WAYS).ok()?;
+            tree.each_leaf_mut(&mut |leaf| Live::with(&self.read_after, later.clone()).sweep(&mut leaf.body));
             arms.push((Value::Step(*step), tree));
         }
         Some((arms, engine.lists))
