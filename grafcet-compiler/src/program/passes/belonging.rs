@@ -12,7 +12,7 @@
 
 use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Statement};
-use super::parts::{Part, cut, dependent, gathers, region_of, regions, written};
+use super::parts::{Looked, Part, cut, gathers, region_of, written};
 use super::uses::{Effects, each_written, is_pure, mentions, same_block, writes_to};
 use super::working::rename;
 use crate::list::List;
@@ -30,20 +30,19 @@ pub(super) struct Kept {
 /// moves in one part. `off` tells which truths are false where the list begins.
 pub(super) fn finer<'m>(
     places: &[PlaceInfo<'m>],
-    list: &[Statement<'m>],
+    looked: &Looked<'m>,
     off: &dyn Fn(PlaceId) -> bool,
     copies: &[Kept],
 ) -> Option<Vec<Part<'m>>> {
-    let dependent = dependent(places, list, &regions(places, list));
-    let deciding = Deciding::of(places, list);
-    if (0..places.len()).all(|region| deciding.groups.find(region) == dependent.find(region)) {
+    let deciding = Deciding::of(places, looked);
+    if (0..places.len()).all(|region| deciding.groups.find(region) == looked.dependent.find(region)) {
         return None;
     }
-    let list = deciding.with_copies(gathered(places, list, off), copies)?;
-    let deciding = Deciding::of(places, &list);
-    let regions = deciding.belonging(places, &list, copies);
+    let looked = Looked::at(places, deciding.with_copies(gathered(places, &looked.list, off), copies)?);
+    let deciding = Deciding::of(places, &looked);
+    let regions = deciding.belonging(places, &looked, copies);
     let keys = regions.iter().map(|regions| deciding.groups.key(regions)).list();
-    let parts = cut(places, list, &regions, &keys);
+    let parts = cut(places, looked.list, &looked.effects, &regions, &keys);
     let mut moved = Set::new();
     let once = parts.iter().all(|part| written(places, &part.statements).iter().all(|region| moved.insert(*region)));
     once.then_some(parts)
@@ -60,18 +59,18 @@ pub(super) struct Deciding {
 }
 
 impl Deciding {
-    pub(super) fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Self {
-        let depends = regions(places, list);
+    pub(super) fn of(places: &[PlaceInfo<'_>], looked: &Looked<'_>) -> Self {
+        let list = &looked.list;
         let mut groups = Groups::new(places.len());
         let mut decides: Vec<Set<usize>> = vec![Set::new(); places.len()];
         let mut by_statement = vec![Set::new(); list.len()];
         for (at, statement) in list.iter().enumerate().rev() {
             // A copy of a state is everybody's, and so is what has nothing to do with states.
-            if depends[at].is_empty() || is_copy(places, statement) {
+            if looked.regions[at].is_empty() || is_copy(places, statement) {
                 continue;
             }
-            let effects = Effects::of(statement);
-            let mut own = written(places, std::slice::from_ref(statement));
+            let effects = &looked.effects[at];
+            let mut own: Set<usize> = effects.writes.iter().filter_map(|place| region_of(places, *place)).collect();
             for place in effects.writes.iter().filter(|place| !places[place.0].is_field) {
                 own.extend(decides[place.0].iter().copied());
             }
@@ -89,7 +88,7 @@ impl Deciding {
     }
 
     /// By statement, the regions that it decides about, or else those whose states, or what decides about them, it asks for.
-    fn belonging(&self, places: &[PlaceInfo<'_>], list: &[Statement<'_>], copies: &[Kept]) -> Vec<Set<usize>> {
+    fn belonging(&self, places: &[PlaceInfo<'_>], looked: &Looked<'_>, copies: &[Kept]) -> Vec<Set<usize>> {
         let (mut all, mut asked) = (self.regions.clone(), self.places.clone());
         for (region, Kept { copy, .. }) in copies.iter().enumerate() {
             if let Some(copy) = copy {
@@ -97,11 +96,12 @@ impl Deciding {
                 asked[copy.0].insert(region);
             }
         }
-        for (own, statement) in all.iter_mut().zip(list).filter(|(own, _)| own.is_empty()) {
+        let statements = looked.list.iter().zip(&looked.effects);
+        for (own, (statement, effects)) in all.iter_mut().zip(statements).filter(|(own, _)| own.is_empty()) {
             if is_copy(places, statement) {
                 continue;
             }
-            let (effects, adds) = (Effects::of(statement), gathers(statement));
+            let adds = gathers(statement);
             for place in effects.reads.iter().filter(|place| Some(**place) != adds) {
                 own.extend(region_of(places, *place));
                 own.extend(asked[place.0].iter().copied());

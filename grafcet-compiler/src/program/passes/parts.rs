@@ -32,7 +32,11 @@ pub(super) fn spread<'m>(
     list: Vec<Statement<'m>>,
     off: &dyn Fn(PlaceId) -> bool,
 ) -> Vec<Statement<'m>> {
-    let all = regions(places, &list);
+    let may_spread = |one: &Statement<'m>| matches!(one, Statement::Set(place, Expr::Any(_)) if !places[place.0].is_field);
+    if !list.iter().any(may_spread) {
+        return list;
+    }
+    let all = regions(places, &list, &list.iter().map(Effects::of).list());
     let mut written: Set<PlaceId> = Set::new();
     let mut out = Vec::with_capacity(list.len());
     for (statement, regions) in list.into_iter().zip(all) {
@@ -60,11 +64,29 @@ pub(super) fn spread<'m>(
     out
 }
 
-pub(super) fn parts<'m>(places: &[PlaceInfo<'m>], list: Vec<Statement<'m>>) -> Vec<Part<'m>> {
-    let regions = regions(places, &list);
-    let dependent = dependent(places, &list, &regions);
-    let keys = regions.iter().map(|regions| dependent.key(regions)).list();
-    cut(places, list, &regions, &keys)
+/// Statements, with what is asked of them again and again.
+pub(super) struct Looked<'m> {
+    pub(super) list: Vec<Statement<'m>>,
+    pub(super) effects: Vec<Effects>,
+    /// By statement, the regions on whose states it depends or which it writes, also by way of locals.
+    pub(super) regions: Vec<Set<usize>>,
+    /// Regions whose states depend on each other belong together.
+    pub(super) dependent: Groups,
+}
+
+impl<'m> Looked<'m> {
+    pub(super) fn at(places: &[PlaceInfo<'m>], list: Vec<Statement<'m>>) -> Self {
+        let effects = list.iter().map(Effects::of).list();
+        let regions = regions(places, &list, &effects);
+        let dependent = dependent(places, &effects, &regions);
+        Self { list, effects, regions, dependent }
+    }
+
+    /// Those of regions that depend on each other stand together.
+    pub(super) fn parts(self, places: &[PlaceInfo<'m>]) -> Vec<Part<'m>> {
+        let keys = self.regions.iter().map(|regions| self.dependent.key(regions)).list();
+        cut(places, self.list, &self.effects, &self.regions, &keys)
+    }
 }
 
 /// The regions whose states statements write.
@@ -85,10 +107,11 @@ pub(super) fn region_of(places: &[PlaceInfo<'_>], place: PlaceId) -> Option<usiz
 pub(super) fn cut<'m>(
     places: &[PlaceInfo<'m>],
     list: Vec<Statement<'m>>,
+    effects: &[Effects],
     regions: &[Set<usize>],
     keys: &[Option<usize>],
 ) -> Vec<Part<'m>> {
-    let order = Order::of(places, &list).scheduled(keys);
+    let order = Order::of(places, &list, effects).scheduled(keys);
     let mut statements: Vec<Option<Statement<'m>>> = list.into_iter().map(Some).collect();
     let mut parts: Vec<(Option<usize>, Part<'m>)> = Vec::new();
     for at in order {
@@ -105,7 +128,7 @@ pub(super) fn cut<'m>(
 }
 
 /// By statement, the regions on whose states it depends or which it writes, also by way of locals.
-pub(super) fn regions(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Vec<Set<usize>> {
+pub(super) fn regions(places: &[PlaceInfo<'_>], list: &[Statement<'_>], effects: &[Effects]) -> Vec<Set<usize>> {
     let mut of: Vec<Set<usize>> = vec![Set::new(); places.len()];
     for (place, of) in places.iter().zip(&mut of) {
         if let Role::State(region) = place.role {
@@ -113,8 +136,7 @@ pub(super) fn regions(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Vec<S
         }
     }
     let mut all = Vec::with_capacity(list.len());
-    for statement in list {
-        let effects = Effects::of(statement);
+    for (statement, effects) in list.iter().zip(effects) {
         let gathered = gathers(statement);
         let mut regions = Set::new();
         for place in &*effects.reads {
@@ -147,13 +169,12 @@ pub(super) fn gathers(statement: &Statement<'_>) -> Option<PlaceId> {
 }
 
 /// Regions whose states depend on each other belong together.
-pub(super) fn dependent(places: &[PlaceInfo<'_>], list: &[Statement<'_>], regions: &[Set<usize>]) -> Groups {
+fn dependent(places: &[PlaceInfo<'_>], effects: &[Effects], regions: &[Set<usize>]) -> Groups {
     let mut groups = Groups::new(places.len());
-    for (statement, regions) in list.iter().zip(regions) {
-        let decides = !written(places, std::slice::from_ref(statement)).is_empty();
+    for (effects, regions) in effects.iter().zip(regions) {
         let [first, rest @ ..] = &regions[..] else { continue };
-        for other in rest.iter().filter(|_| decides) {
-            groups.join(*first, *other);
+        if effects.writes.iter().any(|place| region_of(places, *place).is_some()) {
+            rest.iter().for_each(|other| groups.join(*first, *other));
         }
     }
     groups
@@ -167,7 +188,7 @@ struct Order {
 }
 
 impl Order {
-    fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Self {
+    fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>], effects: &[Effects]) -> Self {
         let count = list.len();
         let mut order = Self { next: vec![Vec::new(); count], open: vec![0; count] };
         // By place: who wrote it last, who has added to it and who has read it since.
@@ -175,8 +196,7 @@ impl Order {
         let mut gathered: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
         let mut read: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
         let (mut told, mut left) = (None, None);
-        for (at, statement) in list.iter().enumerate() {
-            let effects = Effects::of(statement);
+        for (at, (statement, effects)) in list.iter().zip(effects).enumerate() {
             let adds = gathers(statement);
             let mut before = Set::new();
             before.extend(left);

@@ -2,7 +2,8 @@
 
 use super::super::belonging::Groups;
 use super::super::parts::{gathers, regions};
-use super::super::uses::{each_read, each_written, reads_from};
+use super::super::uses::{Effects, each_read, each_written, reads_from};
+use crate::list::List;
 use crate::program::{Expr, PlaceId, PlaceInfo, Role, Statement};
 use crate::sorted::Set;
 
@@ -15,7 +16,7 @@ pub(super) fn owners(
 ) -> (Vec<Set<usize>>, Vec<Option<usize>>) {
     let mut owning = Owning { groups: Groups::new(states.len()), of: vec![None; places.len()], states };
     owning.unite(places, list);
-    let regions = regions(places, list);
+    let regions = regions(places, list, &list.iter().map(Effects::of).list());
     let mut keys = vec![None; list.len()];
     for (at, statement) in list.iter().enumerate().rev() {
         keys[at] = owning.owner(places, (list, &keys), at, statement, &regions[at]);

@@ -11,6 +11,7 @@ use super::super::split::merged;
 use super::super::uses::{Effects, is_pure, is_written_in, reads_from, same_block, unset};
 use super::behind::{Behind, Unit};
 use super::owners::owners;
+use crate::list::List;
 use crate::model::StepId;
 use crate::program::build::no;
 use crate::program::{PlaceId, Statement, Type, Value};
@@ -46,7 +47,8 @@ pub(super) struct Turn<'t, 'p, 'm> {
 impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     pub(super) fn of(several: &'t Several<'p, 'm>, list: &[Statement<'m>], free: &'t Free) -> Self {
         let (regions, keys) = owners(several.places, list, &several.states);
-        let parts = cut(several.places, list.to_vec(), &regions, &keys);
+        let effects = list.iter().map(Effects::of).list();
+        let parts = cut(several.places, list.to_vec(), &effects, &regions, &keys);
         let mut later = vec![Set::new()];
         for part in parts.iter().rev() {
             let mut reads = later.last().cloned().unwrap_or_default();

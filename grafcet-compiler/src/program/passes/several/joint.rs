@@ -3,7 +3,7 @@
 
 use super::super::belonging::Deciding;
 use super::super::engine::{Among, Fact};
-use super::super::parts::Part;
+use super::super::parts::{Looked, Part};
 use super::super::share;
 use super::super::sparse::Index;
 use super::super::split::merged;
@@ -105,7 +105,8 @@ impl<'m> Several<'_, 'm> {
                 found.push(at);
             }
         }
-        let regions = Deciding::of(self.places, &part.statements).regions;
+        let looked = Looked::at(self.places, part.statements.clone());
+        let regions = Deciding::of(self.places, &looked).regions;
         let deciding = found.iter().copied().filter(|at| regions[*at].len() > 1).list();
         if deciding.is_empty() { found } else { deciding }
     }

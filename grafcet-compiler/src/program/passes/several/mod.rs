@@ -36,7 +36,7 @@ use super::flat::flat;
 use super::fold::initial;
 use super::hoist;
 use super::live::{Live, Places};
-use super::parts::{Part, parts, spread, written};
+use super::parts::{Looked, Part, spread, written};
 use super::share;
 use super::sparse::{Index, States};
 use super::starting;
@@ -294,22 +294,27 @@ impl<'p, 'm> Several<'p, 'm> {
         let body = self.swept(body, env);
         let off = |place: PlaceId| env.facts[place.0] == Fact::Is(Value::Bool(false));
         let body = spread(self.places, body, &off);
-        let by_group = finer(self.places, &body, &off, &self.copies(&body, env));
-        let mut parts = by_group.unwrap_or_else(|| parts(self.places, body));
+        let copies = self.copies(&body, env);
+        let looked = Looked::at(self.places, body);
+        let by_group = finer(self.places, &looked, &off, &copies);
+        let mut parts = by_group.unwrap_or_else(|| looked.parts(self.places));
         join_wide(&mut parts, self.places);
+        // By part, from the last one on: what is read behind it.
         let mut later = vec![env.later.clone()];
-        for part in parts.iter().rev() {
+        for part in parts.iter().skip(1).rev() {
             let mut reads = later.last().cloned().unwrap_or_default();
             each_asked(&part.statements, &mut |place| _ = reads.insert(place));
             later.push(reads);
         }
         let mut env = env.clone();
         let mut body = Vec::new();
-        for (number, part) in parts.into_iter().enumerate() {
-            env.later.clone_from(&later[later.len() - 2 - number]);
-            let statements = part.statements.clone();
+        for part in parts {
+            env.later = later.pop().unwrap_or_default();
+            let statements = (!later.is_empty()).then(|| part.statements.clone());
             body.extend(self.part(part, &env));
-            self.after(&statements, &mut env);
+            if let Some(statements) = statements {
+                self.after(&statements, &mut env);
+            }
         }
         body
     }
