@@ -32,7 +32,8 @@ pub(super) fn spread<'m>(
     list: Vec<Statement<'m>>,
     off: &dyn Fn(PlaceId) -> bool,
 ) -> Vec<Statement<'m>> {
-    let may_spread = |one: &Statement<'m>| matches!(one, Statement::Set(place, Expr::Any(_)) if !places[place.0].is_field);
+    let may_spread =
+        |one: &Statement<'m>| matches!(one, Statement::Set(place, Expr::Any(_)) if !places[place.0].is_field);
     if !list.iter().any(may_spread) {
         return list;
     }

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use super::large;
 use crate::command::Result;
 
 /// One chart.
@@ -17,11 +18,11 @@ pub(super) struct Chart {
     pub(super) says: &'static str,
 }
 
-const DIALECTS: [&str; 2] = ["sfc", "grafcet"];
+pub(super) const DIALECTS: [&str; 2] = ["sfc", "grafcet"];
 
 /// Inputs and outputs are shared by the steps, as those of a machine are.
-const INPUTS: usize = 24;
-const OUTPUTS: usize = 16;
+pub(super) const INPUTS: usize = 24;
+pub(super) const OUTPUTS: usize = 16;
 
 /// All charts, those of the project's table first.
 pub(super) fn all(root: &Path) -> Result<Vec<Chart>> {
@@ -49,6 +50,7 @@ pub(super) fn all(root: &Path) -> Result<Vec<Chart>> {
     }
     charts.push(chart("8 partial grafcets that read each other", None, partials(true)));
     charts.push(chart("30 macro-steps", None, macros()));
+    charts.extend(large::all());
     for good in ["machining_cell", "packaging_line"] {
         let file = root.join(format!("tests/good/{good}.rs"));
         let rust = fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
@@ -59,12 +61,12 @@ pub(super) fn all(root: &Path) -> Result<Vec<Chart>> {
     Ok(charts)
 }
 
-fn chart(name: &str, limit: Option<u64>, text: String) -> Chart {
+pub(super) fn chart(name: &str, limit: Option<u64>, text: String) -> Chart {
     Chart { name: name.to_owned(), text, limit, says: "-" }
 }
 
 /// A chart with inputs and outputs, all of which its body has to use.
-fn in_frame(dialect: &str, inputs: usize, more: &str, body: &str) -> String {
+pub(super) fn in_frame(dialect: &str, inputs: usize, more: &str, body: &str) -> String {
     let list = |letter: &str, count| {
         let names: Vec<String> = (0..count).map(|number| format!("{letter}{number}")).collect();
         names.join(", ")

@@ -1,6 +1,7 @@
 //! `cargo xtask bench check`: how long the compiler takes, built as users' macros are.
 
 mod charts;
+mod large;
 
 use std::fmt::Write;
 use std::fs;

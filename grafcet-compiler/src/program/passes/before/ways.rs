@@ -147,7 +147,8 @@ impl<'m> Walk<'_, 'm> {
                         met = Some(met.map_or(arm.clone(), |met| met.met(arm)));
                     }
                     self.keep(*place, &mut rest, &|value| !arms.iter().any(|(values, _)| values.contains(&value)));
-                    let has_rest = |at: usize| rest.possible[at].as_ref().is_none_or(|possible| possible.contains(&true));
+                    let has_rest =
+                        |at: usize| rest.possible[at].as_ref().is_none_or(|possible| possible.contains(&true));
                     if self.region(*place).is_none_or(has_rest) {
                         self.block(otherwise, &mut rest)?;
                         met = Some(met.map_or(rest.clone(), |met| met.met(rest)));
@@ -186,7 +187,8 @@ impl<'m> Walk<'_, 'm> {
         for (other, region) in self.before.regions.iter().enumerate().filter(|(other, _)| *other != at) {
             if let Some(possible) = &mut way.possible[other] {
                 let begins = initial(&self.program.places[region.state.0]);
-                for (possible, value) in possible.iter_mut().zip(&self.states[other]).filter(|(possible, _)| **possible) {
+                for (possible, value) in possible.iter_mut().zip(&self.states[other]).filter(|(possible, _)| **possible)
+                {
                     *possible = left.iter().any(|one| self.is_beside(*one, *value, begins));
                 }
             }
@@ -196,7 +198,9 @@ impl<'m> Walk<'_, 'm> {
     /// Whether one region can have this state while another one has that, which begins with the last.
     fn is_beside(&self, one: Value, other: Value, begins: Option<Value>) -> bool {
         match (one, other) {
-            (Value::Step(Some(one)), Value::Step(Some(other))) => self.program.beside.contains(one.index(), other.index()),
+            (Value::Step(Some(one)), Value::Step(Some(other))) => {
+                self.program.beside.contains(one.index(), other.index())
+            }
             (Value::Start(_), other) => begins == Some(other),
             (_, Value::Start(_)) => false,
             _ => true,
@@ -237,7 +241,8 @@ impl<'m> Walk<'_, 'm> {
         if let Some(at) = self.region(place) {
             let Expr::Value(to @ Value::Step(step)) = value else { return None };
             let possible = way.possible[at].take()?;
-            let from = self.states[at].iter().zip(possible).filter(|(_, possible)| *possible).map(|(value, _)| *value).list();
+            let from =
+                self.states[at].iter().zip(possible).filter(|(_, possible)| *possible).map(|(value, _)| *value).list();
             if from.contains(to) {
                 return None;
             }
