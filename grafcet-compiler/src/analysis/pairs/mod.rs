@@ -69,7 +69,9 @@ impl Search {
         let (steps, arcs) = (chart.part_of.len(), chart.arcs.len());
         let mut allowed = may_meet.clone();
         for (step, away) in chart.away.iter().enumerate() {
-            away.iter().for_each(|other| allowed.remove(step, *other));
+            for other in away {
+                allowed.remove(step, *other);
+            }
         }
         Self {
             together: chart.arcs.iter().map(|arc| vec![false; arc.demands.len() * arc.partners.len()]).list(),

@@ -175,7 +175,9 @@ fn dependent(places: &[PlaceInfo<'_>], effects: &[Effects], regions: &[Set<usize
     for (effects, regions) in effects.iter().zip(regions) {
         let [first, rest @ ..] = &regions[..] else { continue };
         if effects.writes.iter().any(|place| region_of(places, *place).is_some()) {
-            rest.iter().for_each(|other| groups.join(*first, *other));
+            for other in rest {
+                groups.join(*first, *other);
+            }
         }
     }
     groups
