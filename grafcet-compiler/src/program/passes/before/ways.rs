@@ -146,7 +146,9 @@ impl<'m> Walk<'_, 'm> {
                         self.block(body, &mut arm)?;
                         met = Some(met.map_or(arm.clone(), |met| met.met(arm)));
                     }
-                    self.keep(*place, &mut rest, &|value| !arms.iter().any(|(values, _)| values.contains(&value)));
+                    if !arms.is_empty() {
+                        self.keep(*place, &mut rest, &|value| !arms.iter().any(|(values, _)| values.contains(&value)));
+                    }
                     let has_rest =
                         |at: usize| rest.possible[at].as_ref().is_none_or(|possible| possible.contains(&true));
                     if self.region(*place).is_none_or(has_rest) {
