@@ -132,3 +132,57 @@ fn each_bit(place: usize, mut word: u64, found: &mut Vec<usize>) {
         word &= word - 1;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Relation, Row};
+
+    /// More than two words, and no whole number of them.
+    const SIZE: usize = 131;
+
+    /// A relation in which about one pair in `one_in` is.
+    fn mixed(one_in: usize) -> Relation {
+        let mut relation = Relation::new(SIZE);
+        for a in 0..SIZE {
+            for b in (0..a).filter(|b| (a * 7919 + b * 104_729) / 3 % one_in == 0) {
+                relation.insert(a, b);
+            }
+        }
+        relation
+    }
+
+    #[test]
+    fn what_is_new_beside_some_is_what_pair_by_pair_says() {
+        let (known, allowed) = (mixed(2), mixed(3));
+        let left_out = [3, 64, 130];
+        let mut but = Row::new(SIZE);
+        but.add(&left_out);
+        for items in [&[][..], &[5], &[70, 129], &[1, 2, 3]] {
+            for to in 0..SIZE {
+                let is_new = |one: &usize| {
+                    (items.contains(one) || items.iter().all(|item| known.contains(*item, *one)))
+                        && !known.contains(to, *one)
+                        && allowed.contains(to, *one)
+                        && !left_out.contains(one)
+                };
+                let expected: Vec<usize> = (0..SIZE).filter(is_new).collect();
+                assert_eq!(known.new_beside(items, to, &allowed, &but), expected, "{items:?} {to}");
+                let is_common =
+                    |one: &usize| items.iter().all(|item| known.contains(*item, *one)) && !known.contains(to, *one);
+                let common: Vec<usize> = (0..SIZE).filter(is_common).collect();
+                assert_eq!(known.common_beyond(items, to), common, "{items:?} {to}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_removed_is_related_from_neither_side() {
+        let mut relation = mixed(2);
+        let (a, b) = (0..SIZE).find_map(|a| relation.of(a).next().map(|b| (a, b))).expect("a pair");
+        let mut these = Row::new(SIZE);
+        these.add(&[b]);
+        assert!(relation.meets(a, &these));
+        relation.remove(a, b);
+        assert!(!relation.contains(a, b) && !relation.contains(b, a) && !relation.meets(a, &these));
+    }
+}

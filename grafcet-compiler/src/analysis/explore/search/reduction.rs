@@ -71,6 +71,7 @@ pub(crate) fn later(valuation: &mut Valuation<'_>, enabled: &[TransitionId]) -> 
     if open.is_empty() || !may_arbitrate(valuation, &open) {
         return open;
     }
+    // To find out which of them can wait each is looked at.
     valuation.work += open.len() as u64;
     arbitrate(valuation, &find(valuation.net, &open), false)
 }
