@@ -228,7 +228,8 @@ fn the_prover_proves_that_there_is_no_way() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     for (file, never) in [("car_wash", 2), ("interlocked", 2), ("token_ring", 3)] {
         let file = format!("tests/good/{file}.rs");
-        let done = tool(&root, &["tests", &file, "--json"]);
+        // Long, as other tests run at the same time.
+        let done = tool(&root, &["tests", &file, "--limit", "10min", "--json"]);
         let told: Value = serde_json::from_str(done.out.trim_end()).unwrap_or_else(|error| panic!("{error}: {done:?}"));
         assert_eq!(told["open"].as_array().map(Vec::len), Some(0), "{file}: {told}");
         let all: Vec<&str> = told["never"].as_array().expect("a list").iter().filter_map(Value::as_str).collect();
@@ -240,7 +241,7 @@ fn the_prover_proves_that_there_is_no_way() {
     }
     // A way of the prover counts only where the simulation shows the goal: here its step is active where a circle of the chart is stopped, and is left in the
     // next cycle all the same.
-    let done = tool(&root, &["tests", "tests/good/handshake.rs", "--json"]);
+    let done = tool(&root, &["tests", "tests/good/handshake.rs", "--limit", "10min", "--json"]);
     let told: Value = serde_json::from_str(done.out.trim_end()).unwrap_or_else(|error| panic!("{error}: {done:?}"));
     let why = "the prover leads to where it could be, and the search finds no way on from there";
     assert_eq!(
