@@ -4,6 +4,7 @@ use super::super::super::parts::gathers;
 use super::super::super::uses::{Effects, each_read, is_pure, leaves, mentions, writes_to};
 use super::super::{Env, Several};
 use super::{Clearing, Moved, parts};
+use crate::list::List;
 use crate::model::StepId;
 use crate::program::{Comparison, Expr, PlaceId, Statement, Type, Value};
 use crate::sorted::{Set, sort_by_key};
@@ -146,8 +147,8 @@ impl<'m> Several<'_, 'm> {
         if !is_once || info.is_field || !matches!(info.ty, Type::Bool) || !is_pure(value) {
             return None;
         }
-        let disturbs = |one: &Statement<'m>, state: &PlaceId| writes_to(one, *state) && mentions(value, *state);
-        if list[..at].iter().any(|one| self.states.iter().any(|state| disturbs(one, state))) {
+        let mut asked = self.states.iter().filter(|state| mentions(value, **state));
+        if asked.any(|state| list[..at].iter().any(|one| writes_to(one, *state))) {
             return None;
         }
         if let Some(by) = truths(value).filter(|by| by.iter().all(|one| self.is_set_in(*one, list))) {
@@ -296,8 +297,8 @@ fn placed<'m>(
     let is_evolution = |at: usize| matches!(kinds[at], Kind::Writes | Kind::Asks);
     let mut sorted = Sorted { before: Vec::new(), clearings, moves, after: Vec::new() };
     let (mut in_front, mut behind) = (Effects::default(), Effects::default());
-    for (at, statement) in list.iter().enumerate() {
-        let effects = Effects::of(statement);
+    let all: Vec<Effects> = list.iter().map(Effects::of).list();
+    for (at, (statement, effects)) in list.iter().zip(&all).enumerate() {
         if is_evolution(at) {
             in_front.add(statement);
             continue;
@@ -306,8 +307,7 @@ fn placed<'m>(
             continue;
         }
         let is_asked = sorted.clearings.iter().any(|one| one.is_kept && effects.writes.contains(&one.truth));
-        let swaps =
-            || (at..list.len()).all(|other| !is_evolution(other) || effects.may_swap(&Effects::of(&list[other])));
+        let swaps = || (at..list.len()).all(|other| !is_evolution(other) || effects.may_swap(&all[other]));
         if !is_asked && swaps() {
             behind.add(statement);
             sorted.after.push(statement.clone());
