@@ -15,7 +15,7 @@
 //! Needs: no state is written any more, so that those are active together that the analysis has found; one block has all states beside which there
 //! is something to do.
 
-use super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Type, Value};
+use super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Value};
 use super::engine::Among;
 use super::fold::Known;
 use super::uses::{Effects, blocks_mut, is_pure};
@@ -214,9 +214,9 @@ impl<'m> Beside<'_, 'm> {
         }
     }
 
-    /// The states that a region may be in.
+    /// The states that a region may be in. A copy may hold the one before.
     fn possible(&self, place: PlaceId) -> Option<Among> {
-        let Type::State(region) = self.program.places[place.0].ty else { return None };
+        let Role::State(region) = self.program.places[place.0].role else { return None };
         if place == self.place {
             return Some(vec![self.state]);
         }
