@@ -251,15 +251,23 @@ impl Moved {
     /// The deadline asks for the state that the cycle began with.
     fn ask<'m>(&self, program: &mut Program<'m>, before: PlaceId, begun: bool) {
         let Some(deadline) = &mut program.deadline else { return };
-        let mut is_over = compare(Comparison::Equal, Expr::Place(before), Expr::Value(self.mark));
-        if self.is_first_apart {
-            is_over = all(vec![is_over, Expr::Is(self.state, self.over.clone())]);
-        }
+        let is_marked = |comparison| compare(comparison, Expr::Place(before), Expr::Value(self.mark));
+        let among = Expr::Is(self.state, self.over.clone());
+        let is_over = is_marked(Comparison::Equal);
+        let is_over = if self.is_first_apart { all(vec![is_over, among]) } else { is_over };
         let moved = compare(Comparison::Differs, Expr::Place(before), Expr::Place(self.state));
         let moved = if self.passed.is_some() { all(vec![moved, not(is_over.clone())]) } else { moved };
         let leaf = |expr: &Expr<'m>| match expr {
             Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == self.settled) => Some(moved.clone()),
             Expr::Place(place) if Some(*place) == self.passed => Some(is_over.clone()),
+            _ => None,
+        };
+        // Where such a state is asked for first, all of them need not stand there once more.
+        let known = |expr: &Expr<'m>| match expr {
+            Expr::Not(inner) if matches!(**inner, Expr::Place(place) if Some(place) == self.passed) => {
+                Some(is_marked(Comparison::Differs))
+            }
+            Expr::Place(place) if Some(*place) == self.passed => Some(is_marked(Comparison::Equal)),
             _ => None,
         };
         // Where nothing else is due at once, the last cycle has begun the time.
@@ -270,7 +278,18 @@ impl Moved {
         }
         deadline.at_once = replaced(&deadline.at_once, &leaf);
         for wait in &mut deadline.waits {
+            if self.names_over(&wait.condition) {
+                wait.condition = replaced(&wait.condition, &known);
+            }
             wait.condition = replaced(&wait.condition, &leaf);
         }
+    }
+
+    /// Whether a condition asks for states in which a time can be over, and for no others.
+    fn names_over(&self, condition: &Expr<'_>) -> bool {
+        let Expr::All(parts) = condition else { return false };
+        parts.iter().any(|part| {
+            matches!(part, Expr::Is(place, steps) if *place == self.state && steps.iter().all(|step| self.over.contains(step)))
+        })
     }
 }
