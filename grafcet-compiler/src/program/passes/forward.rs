@@ -107,6 +107,11 @@ fn walk(statements: &[Statement<'_>], set: &mut [bool], closed: &mut [bool]) {
 }
 
 fn block(closed: &[bool], statements: &mut [Statement<'_>]) {
+    // What statements do is told once for all that is carried past them.
+    let mut effects = Vec::with_capacity(statements.len());
+    for statement in &*statements {
+        effects.push(Effects::of(statement));
+    }
     for at in 0..statements.len() {
         match &mut statements[at] {
             Statement::Part(_, body) | Statement::Loop { body, .. } => block(closed, body),
@@ -125,34 +130,33 @@ fn block(closed: &[bool], statements: &mut [Statement<'_>]) {
         let (done, rest) = statements.split_at_mut(at + 1);
         if let Some(Statement::Set(place, value)) = done.last() {
             if closed[place.0] && is_pure(value) {
-                carry(*place, value, rest);
+                carry(*place, value, rest, &mut effects[at + 1..]);
             }
         }
     }
 }
 
 /// Puts the value where the place is read, if that is possible everywhere up to the next time it is set.
-fn carry<'m>(place: PlaceId, value: &Expr<'m>, rest: &mut [Statement<'m>]) {
-    let mut operands = vec![place];
+fn carry<'m>(place: PlaceId, value: &Expr<'m>, rest: &mut [Statement<'m>], effects: &mut [Effects]) {
+    let mut operands = Vec::new();
     each_read(value, &mut |read| operands.push(read));
-    if operands[1..].contains(&place) {
+    if operands.contains(&place) {
         return;
     }
     let (mut count, mut last, mut clean) = (0, 0, true);
-    for (at, statement) in rest.iter().enumerate() {
-        let here = occurrences(place, statement);
-        let effects = Effects::of(statement);
-        let writes = operands.iter().any(|operand| effects.writes.contains(operand));
-        let Some(here) = here else { return };
-        if here > 0 {
+    for (at, (statement, effects)) in rest.iter().zip(&*effects).enumerate() {
+        let is_written = effects.writes.contains(&place);
+        let writes = is_written || operands.iter().any(|operand| effects.writes.contains(operand));
+        if effects.reads.contains(&place) {
+            let Some(here) = occurrences(place, statement) else { return };
             // What it was set from is gone, or it is written where it is read.
-            if !clean || writes && !matches!(statement, Statement::Set(..)) {
+            if here > 0 && (!clean || writes && !matches!(statement, Statement::Set(..))) {
                 return;
             }
             count += here;
-            last = at + 1;
+            last = if here > 0 { at + 1 } else { last };
         }
-        if effects.writes.contains(&place) {
+        if is_written {
             if !matches!(statement, Statement::Set(..)) {
                 return;
             }
@@ -169,7 +173,12 @@ fn carry<'m>(place: PlaceId, value: &Expr<'m>, rest: &mut [Statement<'m>]) {
                 _ => None,
             })
         };
-        rewrite(&mut rest[..last], &mut |expr| new(expr));
+        for (statement, effects) in rest[..last].iter_mut().zip(effects) {
+            if effects.reads.contains(&place) {
+                rewrite(std::slice::from_mut(statement), &mut |expr| new(expr));
+                *effects = Effects::of(statement);
+            }
+        }
     }
 }
 

@@ -27,7 +27,8 @@ pub(super) fn ends<'m>(
         }
         let mut places = Vec::with_capacity(lists.len());
         for (list, view) in lists.iter().zip(&views) {
-            places.extend(view.find(list, statement));
+            let Some(place) = view.find(list, statement) else { break };
+            places.push(place);
         }
         if places.len() == lists.len() {
             for (view, place) in views.iter_mut().zip(&places) {

@@ -229,6 +229,14 @@ impl Effects {
         self.leaves |= leaves(statement);
     }
 
+    /// What another statement does, too.
+    pub(super) fn join(&mut self, other: &Self) {
+        self.reads.extend(other.reads.iter().copied());
+        self.writes.extend(other.writes.iter().copied());
+        self.outside |= other.outside;
+        self.leaves |= other.leaves;
+    }
+
     /// Whether two statements that follow each other may change places.
     pub(super) fn may_swap(&self, other: &Self) -> bool {
         !(self.leaves || other.leaves || self.outside && other.outside)

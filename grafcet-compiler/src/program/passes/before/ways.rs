@@ -14,6 +14,9 @@ type Done = u32;
 const MOVED: Done = 1;
 const SETTLED: Done = 2;
 
+/// So many things can have happened.
+const BITS: usize = 31;
+
 /// More of what can have happened than this is not looked at.
 const MOST: usize = 256;
 
@@ -51,6 +54,9 @@ impl Ways {
         let mut gathered = Vec::new();
         let mut open = vec![before.settled];
         while let Some(place) = open.pop() {
+            if gathered.len() > BITS {
+                return None;
+            }
             find_gathered(program, &program.cycle, place, &mut |of| {
                 if !gathered.contains(&of) {
                     gathered.push(of);
@@ -62,7 +68,7 @@ impl Ways {
         find_copied(program, &program.cycle, &[&gathered[..], &[before.settled]].concat(), &mut copied);
         let states = before.regions.iter().map(|region| states(program, region)).list();
         let mut walk = Walk { program, before, states, gathered, copied, entries: Vec::new() };
-        if 2 + 2 * before.regions.len() + walk.gathered.len() + walk.copied.len() > 31 {
+        if 2 + 2 * before.regions.len() + walk.gathered.len() + walk.copied.len() > BITS {
             return None;
         }
         let mut way = Way { done: Set::new(), possible: Vec::new() };

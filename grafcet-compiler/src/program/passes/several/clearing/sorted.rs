@@ -4,7 +4,6 @@ use super::super::super::parts::gathers;
 use super::super::super::uses::{Effects, each_read, is_pure, leaves, mentions, writes_to};
 use super::super::{Env, Several};
 use super::{Clearing, Moved, parts};
-use crate::list::List;
 use crate::model::StepId;
 use crate::program::{Comparison, Expr, PlaceId, Statement, Type, Value};
 use crate::sorted::{Set, sort_by_key};
@@ -46,6 +45,7 @@ type Writes = Vec<(usize, Option<StepId>)>;
 impl<'m> Several<'_, 'm> {
     pub(super) fn sorted(&self, list: &[Statement<'m>], env: &Env) -> Option<Sorted<'m>> {
         let mut kinds = vec![Kind::Other; list.len()];
+        let (effects, writers) = self.effects(list);
         let (mut guards, mut clearings): (Vec<Guard>, Vec<Clearing<'m>>) = (Vec::new(), Vec::new());
         for (at, statement) in list.iter().enumerate().filter(|(_, one)| self.decides(std::slice::from_ref(one))) {
             kinds[at] = Kind::Writes;
@@ -57,7 +57,7 @@ impl<'m> Several<'_, 'm> {
                     continue;
                 }
                 if !guards.iter().any(|guard| guard.truth == truth) {
-                    guards.push(self.guard(truth, list)?);
+                    guards.push(self.guard(truth, list, &writers)?);
                 }
                 let guard = guards.iter().find(|guard| guard.truth == truth)?;
                 kinds[guard.at] = Kind::Asks;
@@ -77,7 +77,20 @@ impl<'m> Several<'_, 'm> {
         }
         let moves = self.moves(list, &mut kinds, &clearings);
         keep(list, &mut kinds, &mut clearings, |place| env.later.contains(&place) || self.read_after.contains(place));
-        (clearings.len() > 1).then(|| placed(list, &kinds, clearings, moves)).flatten()
+        (clearings.len() > 1).then(|| placed(list, &effects, &kinds, clearings, moves)).flatten()
+    }
+
+    /// What each statement does, and by place which of them write it.
+    fn effects(&self, list: &[Statement<'m>]) -> (Vec<Effects>, Vec<Vec<usize>>) {
+        let (mut all, mut writers) = (Vec::with_capacity(list.len()), vec![Vec::new(); self.places.len()]);
+        for (at, statement) in list.iter().enumerate() {
+            let effects = Effects::of(statement);
+            for place in effects.writes.iter() {
+                writers[place.0].push(at);
+            }
+            all.push(effects);
+        }
+        (all, writers)
     }
 
     /// Whether some ask for a state as it was, and others for what has become of it since.
@@ -138,20 +151,20 @@ impl<'m> Several<'_, 'm> {
     }
 
     /// What a truth stands for that is set once, of what is so before anything has cleared.
-    fn guard(&self, truth: PlaceId, list: &[Statement<'m>]) -> Option<Guard> {
+    fn guard(&self, truth: PlaceId, list: &[Statement<'m>], writers: &[Vec<usize>]) -> Option<Guard> {
         let info = &self.places[truth.0];
-        let mut set = list.iter().enumerate().filter(|(_, one)| writes_to(one, truth));
-        let (at, Statement::Set(_, value)) = set.next()? else { return None };
         // To what has been put into it in front of these statements others may have added what is not looked at here.
-        let is_once = set.next().is_none() && !mentions(value, truth);
-        if !is_once || info.is_field || !matches!(info.ty, Type::Bool) || !is_pure(value) {
+        let [at] = writers[truth.0][..] else { return None };
+        let Statement::Set(_, value) = &list[at] else { return None };
+        if mentions(value, truth) || info.is_field || !matches!(info.ty, Type::Bool) || !is_pure(value) {
             return None;
         }
-        let mut asked = self.states.iter().filter(|state| mentions(value, **state));
-        if asked.any(|state| list[..at].iter().any(|one| writes_to(one, *state))) {
+        let is_written = |state: PlaceId| writers[state.0].first().is_some_and(|first| *first < at);
+        if self.states.iter().any(|state| is_written(*state) && mentions(value, *state)) {
             return None;
         }
-        if let Some(by) = truths(value).filter(|by| by.iter().all(|one| self.is_set_in(*one, list))) {
+        let is_set = |truth: &PlaceId| self.is_set_in(*truth, list, writers);
+        if let Some(by) = truths(value).filter(|by| by.iter().all(is_set)) {
             return Some(Guard { truth, at, by: Some(by), but: None });
         }
         // What enters a step may ask whether it stays active.
@@ -162,13 +175,13 @@ impl<'m> Several<'_, 'm> {
             },
             _ => None,
         };
-        let entering = entering.filter(|(by, _)| by.iter().all(|one| self.is_set_in(*one, list)));
+        let entering = entering.filter(|(by, _)| by.iter().all(is_set));
         let (by, but) = entering.unzip();
         Some(Guard { truth, at, by, but })
     }
 
-    fn is_set_in(&self, truth: PlaceId, list: &[Statement<'m>]) -> bool {
-        !self.places[truth.0].is_field && list.iter().any(|one| matches!(one, Statement::Set(to, _) if *to == truth))
+    fn is_set_in(&self, truth: PlaceId, list: &[Statement<'m>], writers: &[Vec<usize>]) -> bool {
+        !self.places[truth.0].is_field && writers[truth.0].iter().any(|at| matches!(list[*at], Statement::Set(..)))
     }
 
     /// The step of which a condition says that it is active, and not left.
@@ -290,15 +303,20 @@ fn keep(
 /// What has nothing to do with the evolution is done before it or after it.
 fn placed<'m>(
     list: &[Statement<'m>],
+    effects: &[Effects],
     kinds: &[Kind],
     clearings: Vec<Clearing<'m>>,
     moves: Vec<Moved>,
 ) -> Option<Sorted<'m>> {
     let is_evolution = |at: usize| matches!(kinds[at], Kind::Writes | Kind::Asks);
+    let swaps = swaps(effects, is_evolution);
+    let mut kept: Set<PlaceId> = Set::new();
+    for one in clearings.iter().filter(|one| one.is_kept) {
+        kept.insert(one.truth);
+    }
     let mut sorted = Sorted { before: Vec::new(), clearings, moves, after: Vec::new() };
     let (mut in_front, mut behind) = (Effects::default(), Effects::default());
-    let all: Vec<Effects> = list.iter().map(Effects::of).list();
-    for (at, (statement, effects)) in list.iter().zip(&all).enumerate() {
+    for (at, statement) in list.iter().enumerate() {
         if is_evolution(at) {
             in_front.add(statement);
             continue;
@@ -306,12 +324,10 @@ fn placed<'m>(
         if kinds[at] == Kind::Moves {
             continue;
         }
-        let is_asked = sorted.clearings.iter().any(|one| one.is_kept && effects.writes.contains(&one.truth));
-        let swaps = || (at..list.len()).all(|other| !is_evolution(other) || effects.may_swap(&all[other]));
-        if !is_asked && swaps() {
+        if swaps[at] && effects[at].writes.is_disjoint(&kept) {
             behind.add(statement);
             sorted.after.push(statement.clone());
-        } else if effects.may_swap(&in_front) && effects.may_swap(&behind) {
+        } else if effects[at].may_swap(&in_front) && effects[at].may_swap(&behind) {
             sorted.before.push(statement.clone());
         } else {
             return None;
@@ -322,4 +338,16 @@ fn placed<'m>(
     let is_told = |moved: &Moved| sorted.after.iter().all(|one| adds(one, moved.truth));
     let stays = !sorted.before.iter().chain(&sorted.after).any(leaves);
     (stays && sorted.moves.iter().all(is_told)).then_some(sorted)
+}
+
+/// Which statements may change places with all of the evolution that stands behind them.
+fn swaps(effects: &[Effects], is_evolution: impl Fn(usize) -> bool) -> Vec<bool> {
+    let (mut may, mut evolution) = (vec![false; effects.len()], Effects::default());
+    for (at, one) in effects.iter().enumerate().rev() {
+        may[at] = one.may_swap(&evolution);
+        if is_evolution(at) {
+            evolution.join(one);
+        }
+    }
+    may
 }
