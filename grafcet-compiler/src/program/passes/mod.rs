@@ -184,129 +184,76 @@ impl Pass {
 pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     let is_forced = program.forced.is_some();
     let wants = |pass: Pass| wanted.contains(&pass) && !(is_forced && pass.follows_cycles());
-    if wants(Pass::Marks) {
-        program.cycles_mut().for_each(without_marks);
+    for pass in Pass::ALL {
+        if wants(pass) {
+            apply(pass, program, &wants);
+        }
     }
-    if wants(Pass::Decompose) {
-        decompose::pass(program);
-    }
-    if wants(Pass::Outputs) {
-        outputs::pass(program);
-    }
-    if wants(Pass::Peel) {
-        peel::pass(program);
-    }
-    if wants(Pass::Straight) {
-        straight::pass(program);
-    }
-    if wants(Pass::Split) {
-        split::pass(
-            program,
-            &split::Options {
-                known: wants(Pass::Known),
-                join: wants(Pass::Join),
-                told: wants(Pass::Told),
-                moved: wants(Pass::Moved),
-            },
-        );
-    }
-    if wants(Pass::Search) {
-        search::pass(program, wants(Pass::Told));
-    }
-    if wants(Pass::Several) {
-        several::pass(program);
-    }
-    if wants(Pass::Rounds) {
-        rounds::pass(program);
-    }
-    if wants(Pass::Starting) {
-        starting::pass(program);
-    }
-    if wants(Pass::Stays) {
-        stays::pass(program);
-    }
-    if wants(Pass::Hoist) {
-        hoist::pass(program);
-    }
-    if wants(Pass::Forward) {
-        forward::pass(program);
-    }
-    if wants(Pass::Before) {
-        before::pass(program);
-    }
-    if wants(Pass::Shown) {
-        shown::pass(program);
-    }
-    if wants(Pass::Begun) {
-        begun::pass(program);
-    }
-    if wants(Pass::Dead) {
-        dead::pass(program);
-    }
-    if wants(Pass::Once) {
-        once::pass(program);
-    }
-    if wants(Pass::Store) {
-        store::pass(program);
-    }
-    if wants(Pass::Tables) {
-        tables::pass(program);
-    }
-    if wants(Pass::Next) {
-        next::pass(program);
-    }
-    if wants(Pass::Passed) {
-        passed::pass(program);
-    }
-    if wants(Pass::Records) {
-        records::pass(program);
-    }
-    if wants(Pass::Working) {
-        working::pass(program);
-    }
-    if wants(Pass::Kinds) {
-        kinds::pass(program);
-    }
-    if wants(Pass::Nested) {
-        nested::pass(program);
-    }
-    if wants(Pass::United) {
-        united::pass(program);
-    }
-    if wants(Pass::Arms) {
-        arms::pass(program);
-    }
-    if wants(Pass::Direct) {
-        direct::pass(program);
-    }
-    if wants(Pass::Fences) {
-        fences::pass(program);
+}
+
+/// What stands within another pass is asked for there.
+fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
+    match pass {
+        Pass::Marks => {
+            for cycle in program.cycles_mut() {
+                without_marks(cycle);
+                without_empty(cycle);
+            }
+        }
+        Pass::Split => {
+            let [known, join, told, moved] = [Pass::Known, Pass::Join, Pass::Told, Pass::Moved].map(wants);
+            split::pass(program, &split::Options { known, join, told, moved });
+        }
+        Pass::Known | Pass::Join | Pass::Told | Pass::Moved => {}
+        Pass::Search => search::pass(program, wants(Pass::Told)),
+        Pass::Decompose => decompose::pass(program),
+        Pass::Outputs => outputs::pass(program),
+        Pass::Peel => peel::pass(program),
+        Pass::Straight => straight::pass(program),
+        Pass::Several => several::pass(program),
+        Pass::Rounds => rounds::pass(program),
+        Pass::Starting => starting::pass(program),
+        Pass::Stays => stays::pass(program),
+        Pass::Hoist => hoist::pass(program),
+        Pass::Forward => forward::pass(program),
+        Pass::Before => before::pass(program),
+        Pass::Shown => shown::pass(program),
+        Pass::Begun => begun::pass(program),
+        Pass::Dead => dead::pass(program),
+        Pass::Once => once::pass(program),
+        Pass::Store => store::pass(program),
+        Pass::Tables => tables::pass(program),
+        Pass::Next => next::pass(program),
+        Pass::Passed => passed::pass(program),
+        Pass::Records => records::pass(program),
+        Pass::Working => working::pass(program),
+        Pass::Kinds => kinds::pass(program),
+        Pass::Nested => nested::pass(program),
+        Pass::United => united::pass(program),
+        Pass::Arms => arms::pass(program),
+        Pass::Direct => direct::pass(program),
+        Pass::Fences => fences::pass(program),
     }
 }
 
 /// Nobody observes.
 fn without_marks(statements: &mut Vec<Statement<'_>>) {
-    statements.retain_mut(|statement| {
-        match statement {
-            Statement::Mark(_) => return false,
-            Statement::Part(_, body) => {
-                without_marks(body);
-                return !body.is_empty();
-            }
-            Statement::Loop { body, .. } => without_marks(body),
-            Statement::If(condition, then, otherwise) => {
-                without_marks(then);
-                without_marks(otherwise);
-                return !(then.is_empty() && otherwise.is_empty() && uses::is_pure(condition));
-            }
-            Statement::Match(_, arms, otherwise) => {
-                for (_, body) in arms {
-                    without_marks(body);
-                }
-                without_marks(otherwise);
-            }
-            _ => {}
+    statements.retain(|statement| !matches!(statement, Statement::Mark(_)));
+    for block in statements.iter_mut().flat_map(uses::blocks_mut) {
+        without_marks(block);
+    }
+}
+
+/// A condition of which nothing is left to do is not asked.
+fn without_empty(statements: &mut Vec<Statement<'_>>) {
+    for block in statements.iter_mut().flat_map(uses::blocks_mut) {
+        without_empty(block);
+    }
+    statements.retain(|statement| match statement {
+        Statement::Part(_, body) => !body.is_empty(),
+        Statement::If(condition, then, otherwise) => {
+            !(then.is_empty() && otherwise.is_empty() && uses::is_pure(condition))
         }
-        true
+        _ => true,
     });
 }

@@ -133,6 +133,7 @@ impl Group {
 
     fn unite<'m>(&self, program: &mut Program<'m>, cycle: Vec<Statement<'m>>, names: &Names) {
         program.cycle = cycle;
+        super::without_empty(&mut program.cycle);
         if let Some(mut deadline) = program.deadline.take() {
             let walk = Walk::of(self, program, Some(names));
             let all = walk.anything();

@@ -45,7 +45,7 @@ type Writes = Vec<(usize, Option<StepId>)>;
 impl<'m> Several<'_, 'm> {
     pub(super) fn sorted(&self, list: &[Statement<'m>], env: &Env) -> Option<Sorted<'m>> {
         let mut kinds = vec![Kind::Other; list.len()];
-        let (effects, writers) = self.effects(list);
+        let (effects, set_by) = self.effects(list);
         let (mut guards, mut clearings): (Vec<Guard>, Vec<Clearing<'m>>) = (Vec::new(), Vec::new());
         for (at, statement) in list.iter().enumerate().filter(|(_, one)| self.decides(std::slice::from_ref(one))) {
             kinds[at] = Kind::Writes;
@@ -57,7 +57,7 @@ impl<'m> Several<'_, 'm> {
                     continue;
                 }
                 if !guards.iter().any(|guard| guard.truth == truth) {
-                    guards.push(self.guard(truth, list, &writers)?);
+                    guards.push(self.guard(truth, list, &set_by)?);
                 }
                 let guard = guards.iter().find(|guard| guard.truth == truth)?;
                 kinds[guard.at] = Kind::Asks;
@@ -85,7 +85,7 @@ impl<'m> Several<'_, 'm> {
         let (mut all, mut writers) = (Vec::with_capacity(list.len()), vec![Vec::new(); self.places.len()]);
         for (at, statement) in list.iter().enumerate() {
             let effects = Effects::of(statement);
-            for place in effects.writes.iter() {
+            for place in &effects.writes {
                 writers[place.0].push(at);
             }
             all.push(effects);
