@@ -25,13 +25,14 @@ impl<'m> Plan<'m> {
     #[must_use]
     pub(crate) fn of(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Self {
         let regions = Regions::of(model, &facts.concurrency, &facts.initial);
+        let program = program::optimised(model, facts, &regions, recorded);
         let combinational = combinational::in_order(model);
         Self {
             one_step: regions.is_single(),
             regions,
             initial: facts.initial.clone(),
             vars: model.vars.ids().filter(|id| !combinational.contains(id)).list(),
-            program: program::optimised(model, facts, recorded),
+            program,
         }
     }
 }

@@ -68,6 +68,25 @@ pub(crate) fn block(visitor: &mut dyn Visit, block: &mut Block) {
     Walk(visitor).visit_block_mut(block);
 }
 
+/// Whether a pattern binds the name.
+pub(crate) fn binds(pattern: &Pat, name: &Ident) -> bool {
+    let mut bound = Bound::default();
+    Walk(&mut bound).visit_pat_mut(&mut pattern.clone());
+    bound.0.contains(name)
+}
+
+/// Whoever asks for nothing but names.
+#[derive(Default)]
+struct Bound(Locals);
+
+impl Visit for Bound {
+    fn expr(&mut self, _: &mut Expr) {}
+
+    fn locals(&mut self) -> &mut Locals {
+        &mut self.0
+    }
+}
+
 struct Walk<'v>(&'v mut dyn Visit);
 
 impl Walk<'_> {

@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use super::{Concurrency, Searches, Stability, exclusive, hierarchy, searches};
+use super::{Concurrency, Searches, Situations, Stability, exclusive, hierarchy, searches};
 use crate::list::List;
 use crate::model::{Model, PartialId, StepId, Tree};
 use crate::sorted::Set;
@@ -25,6 +25,7 @@ pub struct Facts<'m> {
     searches: OnceCell<Searches>,
     exclusive: OnceCell<Vec<bool>>,
     left_and_entered: OnceCell<Set<StepId>>,
+    situations: OnceCell<Situations>,
 }
 
 impl<'m> Facts<'m> {
@@ -45,6 +46,7 @@ impl<'m> Facts<'m> {
             searches: OnceCell::new(),
             exclusive: OnceCell::new(),
             left_and_entered: OnceCell::new(),
+            situations: OnceCell::new(),
         }
     }
 
@@ -59,6 +61,12 @@ impl<'m> Facts<'m> {
     pub fn left_and_entered(&self, model: &Model) -> &Set<StepId> {
         let find = || exclusive::left_and_entered(model, &self.concurrency, self.exclusive(model));
         self.left_and_entered.get_or_init(find)
+    }
+
+    /// In which situations the chart can be.
+    #[must_use]
+    pub fn situations(&self, model: &Model) -> &Situations {
+        self.situations.get_or_init(|| Situations::of(model, self))
     }
 
     /// Which steps can be active together where what partial grafcets do to each other counts, too, if what the chart assumes is true.

@@ -34,12 +34,12 @@ pub enum Situations {
 }
 
 impl Situations {
-    /// For a situation that was stored.
-    pub(crate) fn stored(model: &Model, facts: &Facts<'_>) -> Self {
-        if model.steps.len() > MOST_STEPS { Self::Unknown } else { Self::of(model, facts) }
+    /// Whether one that was stored is looked at: not where the table takes much.
+    pub(crate) fn are_stored(model: &Model) -> bool {
+        model.steps.len() <= MOST_STEPS
     }
 
-    /// For one that is asked for, whatever the table takes.
+    /// Whatever the table takes.
     #[must_use]
     pub fn of(model: &Model, facts: &Facts<'_>) -> Self {
         let row = model.steps.len().div_ceil(8);

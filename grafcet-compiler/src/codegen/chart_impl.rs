@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::machine::Machine;
 use super::state::{StateEnum, step_name};
-use super::{Cx, deadline, derives, late, names, program, recipe, requirements, types, unreached};
+use super::{Cx, deadline, derives, late, names, program, recipe, requirements, types};
 use crate::list::List;
 use crate::model::{Id, Name, Read, StepId};
 use crate::place::{self, quote};
@@ -20,7 +20,7 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (stable, deadline, late) = (is_stable(cx, machine), deadline::method(cx, machine), late::method(cx, machine));
     let (ticks, assumptions) = (ticks(cx), assumptions_hold(cx));
     let (situation_struct, levels) = (situation_struct(cx, machine), types::levels(model));
-    let unreached = unreached::allowed(model);
+    let unreached = super::unreached(model);
     let asked = names::parameter("step", &quote!(#step));
     let all = names::parameter("steps", &quote!(&[#step]));
     quote! {

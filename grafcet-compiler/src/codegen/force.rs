@@ -7,17 +7,21 @@ use proc_macro2::{Literal, TokenStream};
 use super::machine::Machine;
 use super::state::StateEnum;
 use super::{Cx, names, requirements, state};
-use crate::analysis::{Facts, Situations};
+use crate::analysis::Situations;
 use crate::list::List;
 use crate::model::StepId;
 use crate::place::quote;
 use crate::program::RegionId;
 
 /// The method and the trait, where the chart asks for them.
-pub(super) fn all(cx: &Cx<'_>, facts: &Facts<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
+pub(super) fn all<'f>(
+    cx: &Cx<'_>,
+    machine: &Machine<'_>,
+    situations: impl FnOnce() -> &'f Situations,
+) -> Option<TokenStream> {
     let body = machine.forced.as_ref()?;
-    let situations = if cx.is_alone() { Situations::Alone } else { Situations::of(cx.model, facts) };
-    Some(cx.force(&possible(&situations, &cx.p), &cx.forced_situation(machine), body))
+    let situations = if cx.is_alone() { &Situations::Alone } else { situations() };
+    Some(cx.force(&possible(situations, &cx.p), &cx.forced_situation(machine), body))
 }
 
 /// `Possible::Pairs(b"…")`
@@ -55,7 +59,7 @@ impl Cx<'_> {
         let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
         let (inputs, outputs) = (&names.inputs, &names.outputs);
         let (copied, levels) = (requirements::copied(model, p), super::types::levels(model));
-        let unreached = super::unreached::allowed(model);
+        let unreached = super::unreached(model);
         let time = model.uses_time();
         let given = [("steps", quote!(&[#step])), ("inputs", quote!(&#inputs))];
         let given = given.iter().map(|(name, ty)| names::parameter(name, ty)).list();

@@ -22,7 +22,6 @@ mod rust;
 mod state;
 mod stub;
 mod types;
-mod unreached;
 mod variants;
 mod writes;
 
@@ -35,9 +34,12 @@ use crate::held::Held;
 use crate::model::Model;
 use crate::place::{self, quote};
 use crate::plan::Plan;
-#[cfg(feature = "program")]
-use crate::program::Program;
 use crate::program::Refused;
+#[cfg(feature = "program")]
+use crate::program::{
+    Program,
+    passes::{self, Pass},
+};
 pub(crate) use stub::stub;
 
 /// Everything the artefacts are written from.
@@ -60,10 +62,11 @@ pub(crate) fn generate(
         Ok(program) => program::machine(&cx, program),
         Err(refused) => return refuse(refused),
     };
-    let (items, forced) = (items(&cx, &machine), force::all(&cx, facts, &machine));
+    let (items, forced) = (items(&cx, &machine), force::all(&cx, &machine, || facts.situations(model)));
     let recorded = fingerprint.map(|fingerprint| {
-        let situations = if cx.is_alone() { Situations::Unknown } else { Situations::stored(model, facts) };
-        record::all(&cx, &machine, &situations, fingerprint)
+        let is_looked_at = !cx.is_alone() && Situations::are_stored(model);
+        let situations = if is_looked_at { facts.situations(model) } else { &Situations::Unknown };
+        record::all(&cx, &machine, situations, fingerprint)
     });
     quote!(#items #recorded #forced)
 }
@@ -77,16 +80,22 @@ pub(crate) fn meanings(model: &Model, plan: &Plan<'_>, root: &TokenStream) -> Ve
     }
 }
 
-/// The items of a chart by a program that somebody else has made of it.
+/// The items of a chart by a program that somebody else has made of it, without what observers are told.
 #[cfg(feature = "program")]
 pub(crate) fn print(program: Result<Program<'_>, Refused>, plan: &Plan<'_>, root: &TokenStream) -> TokenStream {
     match program {
-        Ok(program) => {
+        Ok(mut program) => {
+            passes::optimise(&mut program, &[Pass::Marks]);
             let cx = Cx::new(program.model, plan, root);
             items(&cx, &program::machine(&cx, &program))
         }
         Err(refused) => refuse(&refused),
     }
+}
+
+/// The attribute of what holds Rust of the user that may never come back; none where nothing of it can.
+fn unreached(model: &Model) -> Option<TokenStream> {
+    model.may_be_endless().then(|| quote!(#[allow(unreachable_code, clippy::diverging_sub_expression)]))
 }
 
 /// A chart that has passed the checks is never refused.

@@ -76,12 +76,8 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
 fn blocked(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (chart, levels) = (&names.chart, types::levels(model));
-    // Those in front of which the same steps stand are asked together; of what an `any` stands for each.
-    let drawn = model.drawn_transitions().map(|(_, transition)| match transition.any {
-        None => vec![&transition.sources[..]],
-        any => model.transitions.values().filter(|other| other.any == any).map(|other| &other.sources[..]).list(),
-    });
-    let sources = drawn.list();
+    // Those in front of which the same steps stand are asked together.
+    let sources = model.drawn_sources();
     let count = Literal::usize_suffixed(sources.len());
     let mut alike: Map<Vec<&[StepId]>, Vec<Literal>> = Map::new();
     for (number, steps) in sources.into_iter().enumerate() {

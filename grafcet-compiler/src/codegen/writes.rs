@@ -1,7 +1,6 @@
 //! Which places a block of the user has really written, where that is known only when it runs.
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::ToTokens;
+use proc_macro2::Ident;
 use syn::{BinOp, Block, Expr, Stmt};
 
 use crate::methods;
@@ -11,20 +10,10 @@ use crate::visit::{self, Locals, Visit};
 
 /// Whether the block writes the name whatever happens in it: by a statement of its own, not inside another.
 pub(super) fn always(block: &Block, name: &Ident) -> bool {
-    let own = block.stmts.iter().take_while(|stmt| !matches!(stmt, Stmt::Local(local) if mentions(&local.pat, name)));
+    // Behind a pattern that binds the name it is another one.
+    let own =
+        block.stmts.iter().take_while(|stmt| !matches!(stmt, Stmt::Local(local) if visit::binds(&local.pat, name)));
     { own }.any(|stmt| matches!(stmt, Stmt::Expr(expr, _) if assigned(expr).contains(&name)))
-}
-
-/// Whether a pattern binds the name, after which it is another one.
-fn mentions(pattern: &syn::Pat, name: &Ident) -> bool {
-    fn inside(tokens: TokenStream, name: &Ident) -> bool {
-        tokens.into_iter().any(|tree| match tree {
-            TokenTree::Group(group) => inside(group.stream(), name),
-            TokenTree::Ident(ident) => ident == *name,
-            _ => false,
-        })
-    }
-    inside(pattern.to_token_stream(), name)
 }
 
 /// The block with `note = true` after each assignment to the name, which has this type; `None` where it may be written in

@@ -121,6 +121,20 @@ impl Model {
         self.transitions.iter().filter(|(id, transition)| transition.any.is_none_or(|any| self.anys[any].first == *id))
     }
 
+    /// By drawn transition, the steps in front of it; of those for which an `any` stands the steps in front of each.
+    pub(crate) fn drawn_sources(&self) -> Vec<Vec<&[StepId]>> {
+        let mut drawn = Vec::new();
+        for (_, transition) in self.drawn_transitions() {
+            let mut sources = vec![&transition.sources[..]];
+            if transition.any.is_some() {
+                let others = self.transitions.values().filter(|other| other.any == transition.any);
+                sources = others.map(|other| &other.sources[..]).list();
+            }
+            drawn.push(sources);
+        }
+        drawn
+    }
+
     /// The lint attributes of a declared place, without those of the chart.
     #[must_use]
     pub fn levels_of_place(&self, place: Place) -> &[LevelAttr] {

@@ -39,8 +39,13 @@ pub use united::United;
 ///
 /// # Errors
 /// The chart has not passed the checks.
-pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Result<Program<'m>, Refused> {
-    let mut program = naive(model, facts)?;
+pub(crate) fn optimised<'m>(
+    model: &'m Model,
+    facts: &Facts<'_>,
+    regions: &Regions,
+    recorded: bool,
+) -> Result<Program<'m>, Refused> {
+    let mut program = lower::in_regions(model, facts, regions)?;
     if let (Some(reading), true) = (program.place(Role::Reading), recorded) {
         program.places[reading.0].role = Role::Recorded;
     }

@@ -2,7 +2,6 @@
 
 use proc_macro2::{Ident, TokenStream};
 
-use super::Bodies;
 use super::flags::Flags;
 use super::visit::{self, Seen};
 use crate::codegen::{Cx, force, names};
@@ -72,8 +71,8 @@ pub(super) enum Kind {
 }
 
 impl Layout {
-    pub(super) fn of(cx: &Cx<'_>, program: &Program<'_>, bodies: &Bodies<'_>) -> Self {
-        let mut used = Used::of(program, bodies);
+    pub(super) fn of(cx: &Cx<'_>, program: &Program<'_>) -> Self {
+        let mut used = Used::of(program);
         let mut taken: [Set<String>; 2] = [Set::new(), Set::new()];
         taken[0].extend(["params", "situation"].map(str::to_owned));
         let mut slots = Vec::new();
@@ -248,7 +247,7 @@ struct Used {
 }
 
 impl Used {
-    fn of(program: &Program<'_>, bodies: &Bodies<'_>) -> Self {
+    fn of(program: &Program<'_>) -> Self {
         let mut used = Self { regions: vec![States::default(); program.regions.len()], ..Self::default() };
         let mut note = |seen: Seen| match seen {
             Seen::Read(place) | Seen::Written(place) => _ = used.places.insert(place),
@@ -259,9 +258,8 @@ impl Used {
             Seen::Entry(value) => used.has_tables |= matches!(value, Value::Step(_)),
             Seen::Value(_) => {}
         };
-        visit::block(&bodies.cycle, &mut note);
-        if let Some(forced) = &bodies.forced {
-            visit::block(forced, &mut note);
+        for cycle in program.cycles() {
+            visit::block(cycle, &mut note);
         }
         if let Some(deadline) = &program.deadline {
             for wait in &deadline.waits {

@@ -33,7 +33,7 @@ use crate::program::{self, PlaceId, Program, Role, Statement, Wait};
 
 /// What the fields of a program's state hold, by their names.
 pub(super) fn meanings(cx: &Cx<'_>, program: &Program<'_>) -> Vec<(String, Held)> {
-    let layout = Layout::of(cx, program, &Bodies::of(program));
+    let layout = Layout::of(cx, program);
     let mut held = Vec::new();
     if let Some(flags) = layout.flags {
         let steps = cx.model.steps.ids().list();
@@ -45,21 +45,6 @@ pub(super) fn meanings(cx: &Cx<'_>, program: &Program<'_>) -> Vec<(String, Held)
         }
     }
     held
-}
-
-/// The cycle and the forced one, without what observers are told.
-struct Bodies<'m> {
-    cycle: Vec<Statement<'m>>,
-    forced: Option<Vec<Statement<'m>>>,
-}
-
-impl<'m> Bodies<'m> {
-    fn of(program: &Program<'m>) -> Self {
-        Self {
-            cycle: statement::unwatched(&program.cycle),
-            forced: program.forced.as_deref().map(statement::unwatched),
-        }
-    }
 }
 
 /// What is printed, and what is known about it meanwhile.
@@ -75,9 +60,8 @@ struct Printer<'p, 'm> {
 
 /// The state and the cycle of a chart as its program says.
 pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
-    let bodies = Bodies::of(program);
-    let layout = Layout::of(cx, program, &bodies);
-    let cycle = &bodies.cycle;
+    let layout = Layout::of(cx, program);
+    let cycle = &program.cycle;
     let eager = !cycle.iter().any(|statement| matches!(statement, Statement::Loop { rounds: 2.., .. }));
     let printer = Printer { cx, program, layout: &layout, within: false, eager };
     let cycles = Printer { cx, program, layout: &layout, within: true, eager };
@@ -90,7 +74,7 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
         fields: printer.fields(),
         stored: printer.stored(),
         cycle: cycles.cycle(cycle),
-        forced: bodies.forced.as_deref().map(|forced| cycles.cycle(forced)),
+        forced: program.forced.as_deref().map(|forced| cycles.cycle(forced)),
         active: cx.model.steps.ids().map(|step| printer.is_active(step)).list(),
         homes: cx.model.steps.ids().map(|step| program.home(step)).list(),
         situation: printer.situation(),

@@ -10,47 +10,6 @@ use crate::list::List;
 use crate::place::{self, quote};
 use crate::program::{Arm, Expr, Fence, Initial, Phase, PlaceId, Role, Statement, Type, Value};
 
-/// The statements without what observers are told, and without what is there for them alone.
-pub(super) fn unwatched<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
-    let mut rest = Vec::new();
-    for statement in statements {
-        match statement {
-            Statement::Mark(_) => {}
-            Statement::Part(name, body) => rest.push(Statement::Part(name, unwatched(body))),
-            Statement::If(condition, then, otherwise) => {
-                let (then, otherwise) = (unwatched(then), unwatched(otherwise));
-                if !then.is_empty() || !otherwise.is_empty() || runs(condition) {
-                    rest.push(Statement::If(condition.clone(), then, otherwise));
-                }
-            }
-            Statement::Match(place, arms, otherwise) => {
-                let mut kept = Vec::new();
-                for (values, body) in arms {
-                    kept.push((values.clone(), unwatched(body)));
-                }
-                rest.push(Statement::Match(*place, kept, unwatched(otherwise)));
-            }
-            Statement::Loop { rounds, body } => {
-                rest.push(Statement::Loop { rounds: *rounds, body: unwatched(body) });
-            }
-            other => rest.push(other.clone()),
-        }
-    }
-    rest
-}
-
-/// Whether Rust of the user is in an expression: it may do something.
-fn runs(expr: &Expr<'_>) -> bool {
-    match expr {
-        Expr::User(_) => true,
-        Expr::Not(inner) => runs(inner),
-        Expr::All(parts) | Expr::Any(parts) => parts.iter().any(runs),
-        Expr::Compare(_, a, b) => runs(a) || runs(b),
-        Expr::Choose(parts) => parts.iter().any(runs),
-        _ => false,
-    }
-}
-
 /// The place in the text of the program, in the order of [`Scope`].
 struct Lines<'s> {
     scope: &'s Scope,

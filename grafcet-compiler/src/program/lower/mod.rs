@@ -63,7 +63,12 @@ impl fmt::Display for Refused {
 /// # Errors
 /// The chart has not passed them.
 pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>) -> Result<Program<'m>, Refused> {
-    program(model, facts, Clocks::Read)
+    in_regions(model, facts, &Regions::of(model, &facts.concurrency, &facts.initial))
+}
+
+/// The same, whose regions are known.
+pub(super) fn in_regions<'m>(model: &'m Model, facts: &Facts<'_>, regions: &Regions) -> Result<Program<'m>, Refused> {
+    program(model, facts, regions, Clocks::Read)
 }
 
 /// The same for a reader that has no clock, such as a circuit: times are counted, and a bound stands at every search. Its plants have
@@ -72,9 +77,12 @@ pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>) -> Result<Program<'m>, Ref
 /// # Errors
 /// The chart has not passed the checks.
 pub fn counted<'m>(model: &'m Model, facts: &Facts<'_>) -> Result<Program<'m>, Refused> {
-    let mut all = program(model, facts, Clocks::Counted)?;
+    let counted = |model, facts: &Facts<'_>| {
+        program(model, facts, &Regions::of(model, &facts.concurrency, &facts.initial), Clocks::Counted)
+    };
+    let mut all = counted(model, facts)?;
     for plant in &model.plants.list {
-        all.plants.push(program(&plant.model, &Facts::of(&plant.model), Clocks::Counted)?);
+        all.plants.push(counted(&plant.model, &Facts::of(&plant.model))?);
     }
     Ok(all)
 }
@@ -86,10 +94,9 @@ enum Clocks {
     Counted,
 }
 
-fn program<'m>(model: &'m Model, facts: &Facts<'_>, clocks: Clocks) -> Result<Program<'m>, Refused> {
+fn program<'m>(model: &'m Model, facts: &Facts<'_>, regions: &Regions, clocks: Clocks) -> Result<Program<'m>, Refused> {
     possible(model, facts)?;
-    let regions = Regions::of(model, &facts.concurrency, &facts.initial);
-    let mut lower = Lower::new(model, &regions, facts, clocks);
+    let mut lower = Lower::new(model, regions, facts, clocks);
     let Cycles { own: cycle, forced } = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
     let deadline = lower.deadline();
     let regions: Vec<Vec<StepId>> = regions.all().iter().map(|region| region.steps.clone()).list();
