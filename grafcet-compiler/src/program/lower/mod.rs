@@ -104,7 +104,7 @@ fn program<'m>(model: &'m Model, facts: &Facts<'_>, regions: &Regions, clocks: C
     let beside = if regions.len() > 1 { facts.concurrency.relation().clone() } else { Relation::new(0) };
     let searches = facts.searches(model);
     let mut excluding = Vec::new();
-    if model.is_grafcet() && regions.len() == 1 {
+    if regions.len() == 1 {
         for (leaving, exclusive) in model.leaving.iter().zip(facts.exclusive(model)) {
             if *exclusive && leaving.len() > 1 {
                 excluding.push(leaving.iter().map(|id| lower.clears[id.index()]).list());

@@ -71,8 +71,7 @@ pub(super) struct Engine<'e, 'm> {
     pub(super) lists: Vec<Among>,
     /// The ends of ways know all places, and what is a copy of what, not the fields alone.
     pub(super) tells_all: bool,
-    /// Of the truths in one of these one at most becomes true.
-    pub(super) excluding: &'e [Vec<PlaceId>],
+    pub(super) excluding: Excluding<'e>,
     ways: usize,
 }
 
@@ -104,6 +103,29 @@ impl Copies {
                 self.of[of.0].pop();
             }
         }
+    }
+}
+
+/// Groups of truths of which one at most becomes true.
+#[derive(Default)]
+pub(super) struct Excluding<'e> {
+    groups: &'e [Vec<PlaceId>],
+    /// By place.
+    group_of: Vec<Option<usize>>,
+    /// By group: which of them was true when somebody asked last. It still is, as a rule.
+    last: Vec<PlaceId>,
+}
+
+impl<'e> Excluding<'e> {
+    pub(super) fn of(groups: &'e [Vec<PlaceId>], places: usize) -> Self {
+        let (mut group_of, mut last) = (vec![None; places], Vec::with_capacity(groups.len()));
+        for (number, group) in groups.iter().enumerate() {
+            last.extend(group.first());
+            for truth in group {
+                group_of[truth.0] = Some(number);
+            }
+        }
+        Self { groups, group_of, last }
     }
 }
 
@@ -157,7 +179,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             copies: Copies::default(),
             lists: Vec::new(),
             tells_all: false,
-            excluding: &[],
+            excluding: Excluding::default(),
             ways: 0,
         }
     }
@@ -347,11 +369,22 @@ impl<'e, 'm> Engine<'e, 'm> {
     }
 
     /// A truth that is set, and cannot become true any more.
-    fn excluded(&self, statement: &Statement<'m>) -> Option<PlaceId> {
-        let Statement::Set(place, _) = statement else { return None };
-        let group = self.excluding.iter().find(|group| group.contains(place))?;
-        let is_true = |other: &&PlaceId| *other != place && self.env[other.0] == Fact::Is(Value::Bool(true));
-        group.iter().find(is_true).map(|_| *place)
+    fn excluded(&mut self, statement: &Statement<'m>) -> Option<PlaceId> {
+        let place = match statement {
+            Statement::Set(place, _) => place,
+            Statement::If(condition, then, otherwise) => {
+                let ([Statement::Set(place, _)], []) = (&then[..], &otherwise[..]) else { return None };
+                matches!(self.fold(condition), Expr::Value(Value::Bool(true))).then_some(place)?
+            }
+            _ => return None,
+        };
+        let Excluding { groups, group_of, last } = &mut self.excluding;
+        let number = (*group_of.get(place.0)?)?;
+        let is_true = |other: PlaceId| other != *place && self.env[other.0] == Fact::Is(Value::Bool(true));
+        if !is_true(last[number]) {
+            last[number] = groups[number].iter().copied().find(|other| is_true(*other))?;
+        }
+        Some(*place)
     }
 
     /// A truth on which the next state depends, and that is not known.

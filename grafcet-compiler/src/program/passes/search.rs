@@ -21,7 +21,7 @@
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::{is_seen, read_after};
 use super::early::Early;
-use super::engine::{End, Engine, Fact, Lost, Tree, beginning};
+use super::engine::{End, Engine, Excluding, Fact, Lost, Tree, beginning};
 use super::flat::flat;
 use super::live::{Live, Places};
 use super::share;
@@ -230,7 +230,7 @@ impl<'m> Search<'m> {
         let index = Index::of(places, &self.body, self.state, None, assumed, &self.points).ok_or(Lost)?;
         let env = beginning(places, assumed, true);
         let mut engine = Engine::new(places, (&self.body, &index), self.state, &self.points, carried, env);
-        engine.excluding = &program.search.excluding;
+        engine.excluding = Excluding::of(&program.search.excluding, places.len());
         let mut ends: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
         trees.resize_with(self.points.all.len(), || None);

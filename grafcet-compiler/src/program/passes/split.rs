@@ -21,7 +21,7 @@ use super::super::build::not;
 use super::super::{Arm, Deadline, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
 use super::alike;
 use super::dead::read_after;
-use super::engine::{End, Engine, Fact, Leaf, Lost, Tree, beginning};
+use super::engine::{End, Engine, Excluding, Fact, Leaf, Lost, Tree, beginning};
 use super::flat::flat;
 use super::fold::initial;
 use super::live::Live;
@@ -107,6 +107,7 @@ impl Split {
         let with_first = [&self.fields[..], &[self.first]].concat();
         let env = beginning(places, assumed, false);
         let mut engine = Engine::new(places, (list, index), self.state, &self.points, &with_first, env);
+        engine.excluding = Excluding::of(&program.search.excluding, places.len());
         let mut known: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         known[0] = Some(self.fields.iter().map(|place| at_start(program, *place, options)).collect());
         let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
