@@ -89,9 +89,23 @@ mod working;
 
 use super::{Program, Statement};
 
-/// A pass that can be left out.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Pass {
+/// Writes the passes as an enum and as a list, so that no pass is in one of them alone.
+macro_rules! passes {
+    ($($(#[$doc:meta])* $pass:ident,)*) => {
+        /// A pass that can be left out.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub enum Pass {
+            $($(#[$doc])* $pass,)*
+        }
+
+        impl Pass {
+            /// In their order.
+            pub const ALL: [Self; [$(stringify!($pass)),*].len()] = [$(Self::$pass),*];
+        }
+    };
+}
+
+passes! {
     Marks,
     Decompose,
     Outputs,
@@ -133,44 +147,6 @@ pub enum Pass {
 }
 
 impl Pass {
-    /// In their order.
-    pub const ALL: [Self; 34] = [
-        Self::Marks,
-        Self::Decompose,
-        Self::Outputs,
-        Self::Peel,
-        Self::Straight,
-        Self::Split,
-        Self::Known,
-        Self::Join,
-        Self::Told,
-        Self::Moved,
-        Self::Search,
-        Self::Several,
-        Self::Rounds,
-        Self::Starting,
-        Self::Stays,
-        Self::Hoist,
-        Self::Forward,
-        Self::Before,
-        Self::Shown,
-        Self::Begun,
-        Self::Dead,
-        Self::Once,
-        Self::Store,
-        Self::Tables,
-        Self::Next,
-        Self::Passed,
-        Self::Records,
-        Self::Working,
-        Self::Kinds,
-        Self::Nested,
-        Self::United,
-        Self::Arms,
-        Self::Direct,
-        Self::Fences,
-    ];
-
     /// Whether it takes for granted that a state is entered by the ways of the chart's own cycle alone.
     fn follows_cycles(self) -> bool {
         matches!(

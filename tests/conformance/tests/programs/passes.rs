@@ -43,7 +43,7 @@ fn each_pass_is_as_recorded() {
     let kettle = kettle("");
     let stored = "sfc Stored { input a, b: bool; output lamp, p: bool; initial step Idle { R lamp; } step A1 { S lamp; } step A2; step B1 { p; } step B2; \
                   Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[a && b]-> B2; (A2, B2) -[!a]-> Idle; }";
-    for (pass, chart) in [
+    let cases = [
         (Pass::Marks, lamp),
         (Pass::Decompose, lamp),
         (Pass::Outputs, lamp),
@@ -78,9 +78,10 @@ fn each_pass_is_as_recorded() {
         (Pass::Arms, BOXES),
         (Pass::Direct, WASH),
         (Pass::Fences, pair),
-    ] {
+    ];
+    assert_eq!(cases.map(|(pass, _)| pass), Pass::ALL, "a chart for each pass, in their order");
+    for (at, (pass, chart)) in cases.into_iter().enumerate() {
         let model = read(chart);
-        let at = Pass::ALL.iter().position(|other| *other == pass).expect("a pass");
         // The passes after `Split` are read without what the last ones take away.
         let shaping = [
             Pass::Known,
