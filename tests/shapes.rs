@@ -1,6 +1,7 @@
 //! What the code of a cycle looks like, by small charts: the Rust of each stands beside it, for people to read.
 //!
-//! `cargo xtask bless` records it anew. A chart without its Rust, and Rust without a chart, are errors.
+//! `cargo xtask bless` records it anew. A chart without its Rust, and Rust without a chart, are errors. The pseudo-code beside it, and which shapes have no
+//! chart, is for `tests/conformance/tests/programs/shapes.rs`: the printer of pseudo-code is a feature that no build of a user has.
 
 #[allow(dead_code, reason = "its other half is for files of charts")]
 mod charts;
@@ -36,24 +37,52 @@ fn chart(name: &str) -> TokenStream {
     text.parse().unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// `cycle` and `force`, and what takes the state of a region from its bits.
+/// `cycle`, `force` and `next_deadline`, what takes the state of a region from its bits, and the private types of the state.
 fn cycle(chart: TokenStream) -> String {
-    let mut file: syn::File = syn::parse2(charts::expand(chart)).expect("an expansion is a list of items");
-    file.items.retain_mut(|item| {
-        let syn::Item::Impl(item) = item else { return false };
-        item.items.retain(|inner| match inner {
-            syn::ImplItem::Fn(function) => {
-                let name = function.sig.ident.to_string();
-                ["cycle", "force"].contains(&name.as_str()) || name.ends_with('_')
+    let expanded = charts::expand(chart);
+    assert!(!expanded.to_string().contains("compile_error"), "the chart is refused: {expanded}");
+    let mut file: syn::File = syn::parse2(expanded).expect("an expansion is a list of items");
+    file.items.retain_mut(|item| match item {
+        syn::Item::Enum(item) => {
+            plain(&mut item.attrs);
+            is_private(&item.ident)
+        }
+        syn::Item::Struct(item) => {
+            plain(&mut item.attrs);
+            is_private(&item.ident)
+        }
+        syn::Item::Impl(item) if item.trait_.is_none() => {
+            let of = match &*item.self_ty {
+                syn::Type::Path(of) => of.path.segments.last().map(|last| &last.ident),
+                _ => None,
+            };
+            if !of.is_some_and(is_private) {
+                item.items
+                    .retain(|inner| matches!(inner, syn::ImplItem::Fn(function) if is_shown(&function.sig.ident)));
             }
-            _ => false,
-        });
-        item.trait_.is_none() && !item.items.is_empty()
+            !item.items.is_empty()
+        }
+        _ => false,
     });
     let rust = prettyplease::unparse(&file).replace("::grafcet::__private::", "");
     format!(
         "// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.\n\n{rust}"
     )
+}
+
+fn is_shown(function: &syn::Ident) -> bool {
+    let name = function.to_string();
+    ["cycle", "force", "next_deadline"].contains(&name.as_str()) || name.ends_with('_')
+}
+
+/// Whether a type holds the chart's state, which nobody outside names.
+fn is_private(name: &syn::Ident) -> bool {
+    name.to_string().starts_with("__")
+}
+
+/// Of the attributes that alone which says how a value is stored.
+fn plain(attrs: &mut Vec<syn::Attribute>) {
+    attrs.retain(|attr| attr.path().is_ident("repr"));
 }
 
 /// Compares with the file, or writes it where `BLESS=1` is set.
