@@ -21,6 +21,7 @@ mod forks;
 mod needs;
 mod passes;
 mod regions;
+mod shapes;
 mod synchronised;
 
 #[path = "../../../charts/mod.rs"]
