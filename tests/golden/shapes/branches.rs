@@ -1,5 +1,16 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __PressesRegion0 {
+    Wait,
+    Left,
+    LeftReady,
+    INIT,
+}
+enum __PressesRegion1 {
+    Right,
+    RightReady,
+    NONE,
+}
 impl Presses {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.

@@ -1,5 +1,16 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __BatchRegion0 {
+    Idle,
+    Fill,
+    Stir,
+    Drain,
+    INIT,
+}
+enum __BatchRegion1 {
+    Heat,
+    NONE,
+}
 impl Batch {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -555,6 +566,82 @@ impl Batch {
         }
         outputs_.count = self.count;
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if !self.settled {
+            return Option::Some(self.reading);
+        }
+        let mut soonest_ = Option::None;
+        if self.region_1 == __BatchRegion1::Heat
+            && self.reading.since(self.since_heat)
+                < Ticks::new(3000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(3000u32)
+                        - self.reading.since(self.since_heat),
+                ),
+            );
+        }
+        if self.region_1 == __BatchRegion1::Heat
+            && self.reading.since(self.since_heat)
+                < Ticks::new(5000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(5000u32)
+                        - self.reading.since(self.since_heat),
+                ),
+            );
+        }
+        if self.region_0 == __BatchRegion0::Stir
+            && self.reading.since(self.since_idle)
+                < Ticks::new(2000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(2000u32)
+                        - self.reading.since(self.since_idle),
+                ),
+            );
+        }
+        if self.region_0 == __BatchRegion0::Drain
+            && self.reading.since(self.since_idle)
+                < Ticks::new(1000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(1000u32)
+                        - self.reading.since(self.since_idle),
+                ),
+            );
+        }
+        if self.sd_tmr_pump_in
+            && self.sd_tmr_pump_held < Ticks::new(2000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(2000u32) - self.sd_tmr_pump_held,
+                ),
+            );
+        }
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.reading.after(time_))
+            }
+            Option::None => Option::None,
+        }
     }
 }
 impl Batch {

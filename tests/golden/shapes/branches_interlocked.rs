@@ -1,5 +1,18 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __HoistsRegion0 {
+    Idle,
+    WaitA,
+    LiftA,
+    EndA,
+    INIT,
+}
+enum __HoistsRegion1 {
+    WaitB,
+    LiftB,
+    EndB,
+    NONE,
+}
 impl Hoists {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -121,5 +134,49 @@ impl Hoists {
             self.since_idle = now_;
         }
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if self.before_state_idle != self.region_0
+            && !(self.region_0 == __HoistsRegion0::LiftA
+                && self.before_state_idle == __HoistsRegion0::Idle)
+            || self.before_state_waitb != self.region_1
+                && !(self.region_1 == __HoistsRegion1::LiftB
+                    && self.before_state_waitb == __HoistsRegion1::EndB)
+        {
+            return Option::Some(
+                if self.before_state_idle != self.region_0
+                    && !(self.region_0 == __HoistsRegion0::LiftA
+                        && self.before_state_idle == __HoistsRegion0::Idle)
+                {
+                    self.since_idle
+                } else {
+                    self.since_waitb
+                },
+            );
+        }
+        let mut soonest_ = Option::None;
+        if self.region_0 == __HoistsRegion0::LiftA
+            && !(self.before_state_idle == __HoistsRegion0::Idle)
+        {
+            soonest_ = earlier(
+                soonest_,
+                self.since_idle.after(Ticks::new(2000u32)),
+            );
+        }
+        if self.region_1 == __HoistsRegion1::LiftB
+            && !(self.before_state_waitb == __HoistsRegion1::EndB)
+        {
+            soonest_ = earlier(
+                soonest_,
+                self.since_waitb.after(Ticks::new(1000u32)),
+            );
+        }
+        soonest_
     }
 }

@@ -1,5 +1,24 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __NestedRegion0 {
+    Idle,
+    Feed,
+    Clamp,
+    Clamped,
+    Eject,
+    Gone,
+    INIT,
+}
+enum __NestedRegion1 {
+    Heat,
+    Hot,
+    NONE,
+}
+enum __NestedRegion2 {
+    Return,
+    Home,
+    NONE,
+}
 impl Nested {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -154,5 +173,30 @@ impl Nested {
             }
         }
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if !self.settled {
+            return Option::Some(self.reading);
+        }
+        let mut soonest_ = Option::None;
+        if self.region_1 == __NestedRegion1::Heat && !self.passed_heat {
+            soonest_ = earlier(
+                soonest_,
+                self.since_heat.after(Ticks::new(1000u32)),
+            );
+        }
+        if self.region_2 == __NestedRegion2::Return {
+            soonest_ = earlier(
+                soonest_,
+                self.since_return.after(Ticks::new(2000u32)),
+            );
+        }
+        soonest_
     }
 }

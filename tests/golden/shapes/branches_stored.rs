@@ -1,5 +1,16 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __KilnRegion0 {
+    Idle,
+    One,
+    Two,
+    INIT,
+}
+enum __KilnRegion1 {
+    Three,
+    Four,
+    NONE,
+}
 impl Kiln {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -196,6 +207,52 @@ impl Kiln {
         outputs_.count = self.count;
         outputs_.last = self.last;
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if !self.settled {
+            return Option::Some(self.reading);
+        }
+        let mut soonest_ = Option::None;
+        if self.region_0 == __KilnRegion0::One && self.time_idle < self.params.limit {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(self.params.limit - self.time_idle),
+            );
+        }
+        if self.region_0 == __KilnRegion0::Two
+            && self.time_idle < Ticks::new(500u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(500u32) - self.time_idle,
+                ),
+            );
+        }
+        if self.delay0_in != self.delay0_out {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    (if self.delay0_in {
+                        Ticks::new(1000u32)
+                    } else {
+                        Ticks::new(2000u32)
+                    }) - self.reading.since(self.delay0_since),
+                ),
+            );
+        }
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.reading.after(time_))
+            }
+            Option::None => Option::None,
+        }
     }
 }
 impl Kiln {

@@ -1,5 +1,19 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __KettleRegion0 {
+    Idle,
+    Heat,
+    Hold,
+    Heated,
+    INIT,
+}
+enum __KettleRegion1 {
+    Fill,
+    Stir,
+    Rest,
+    Stirred,
+    NONE,
+}
 impl Kettle {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -132,5 +146,54 @@ impl Kettle {
             self.since_idle = now_;
         }
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if self.before_state_idle != self.region_0
+            || self.before_state_fill != self.region_1
+                && !(self.region_1 == __KettleRegion1::Fill
+                    && self.before_state_fill == __KettleRegion1::Stir)
+        {
+            return Option::Some(
+                if self.before_state_idle != self.region_0 {
+                    self.since_idle
+                } else {
+                    self.since_fill
+                },
+            );
+        }
+        let mut soonest_ = Option::None;
+        if self.region_0 == __KettleRegion0::Hold {
+            soonest_ = earlier(
+                soonest_,
+                self.since_idle.after(Ticks::new(5000u32)),
+            );
+        }
+        if self.region_1 == __KettleRegion1::Fill
+            && !(self.before_state_fill == __KettleRegion1::Stir)
+        {
+            soonest_ = earlier(
+                soonest_,
+                self.since_fill.after(Ticks::new(1000u32)),
+            );
+        }
+        if self.region_1 == __KettleRegion1::Stir {
+            soonest_ = earlier(
+                soonest_,
+                self.since_fill.after(Ticks::new(3000u32)),
+            );
+        }
+        if self.region_1 == __KettleRegion1::Rest {
+            soonest_ = earlier(
+                soonest_,
+                self.since_fill.after(Ticks::new(2000u32)),
+            );
+        }
+        soonest_
     }
 }

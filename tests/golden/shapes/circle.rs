@@ -1,5 +1,39 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+#[repr(u32)]
+enum __LampState {
+    Off,
+    On,
+}
+struct __LampStateMark(u8);
+impl __LampStateMark {
+    const fn of(state_: __LampState) -> Self {
+        Self(state_ as u8)
+    }
+    const fn state(self) -> __LampState {
+        let number_ = self.0 & 1u8;
+        if number_ >= 1u8 {
+            __LampState::On
+        } else {
+            match number_ {
+                _ => __LampState::Off,
+            }
+        }
+    }
+    /// Another state, and the mark as it is.
+    const fn with(self, state_: __LampState) -> Self {
+        Self(self.0 & 2u8 | state_ as u8)
+    }
+    const fn unmarked(self) -> Self {
+        Self(self.0 & 1u8)
+    }
+    const fn marked(self) -> Self {
+        Self(self.0 | 2u8)
+    }
+    const fn is_marked(self) -> bool {
+        self.0 & 2u8 != 0
+    }
+}
 impl Lamp {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.

@@ -1,5 +1,16 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __WorksRegion0 {
+    Idle,
+    One,
+    Two,
+    INIT,
+}
+enum __WorksRegion1 {
+    Three,
+    Four,
+    NONE,
+}
 impl Works {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -263,6 +274,106 @@ impl Works {
         self.action_edge0_before = inputs_.b;
         outputs_.count = self.count;
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if !self.settled {
+            return Option::Some(self.reading);
+        }
+        let mut soonest_ = Option::None;
+        if self.region_0 == __WorksRegion0::One
+            && self.reading.since(self.since_idle)
+                < Ticks::new(40u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(40u32)
+                        - self.reading.since(self.since_idle),
+                ),
+            );
+        }
+        if self.region_0 == __WorksRegion0::One
+            && self.reading.since(self.since_idle)
+                < Ticks::new(16u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(16u32)
+                        - self.reading.since(self.since_idle),
+                ),
+            );
+        }
+        if self.region_0 == __WorksRegion0::Two
+            && self.reading.since(self.since_idle)
+                < Ticks::new(30u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(30u32)
+                        - self.reading.since(self.since_idle),
+                ),
+            );
+        }
+        if self.region_0 == __WorksRegion0::Two
+            && self.reading.since(self.since_idle)
+                < Ticks::new(4000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(4000u32)
+                        - self.reading.since(self.since_idle),
+                ),
+            );
+        }
+        if self.region_1 == __WorksRegion1::Three
+            && self.reading.since(self.since_three)
+                < Ticks::new(20u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(20u32)
+                        - self.reading.since(self.since_three),
+                ),
+            );
+        }
+        if self.delay0_in != self.delay0_out {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    (if self.delay0_in {
+                        Ticks::new(20u32)
+                    } else {
+                        Ticks::new(30u32)
+                    }) - self.reading.since(self.delay0_since),
+                ),
+            );
+        }
+        if self.sd_tmr_late_in
+            && self.sd_tmr_late_held < Ticks::new(2000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(2000u32) - self.sd_tmr_late_held,
+                ),
+            );
+        }
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.reading.after(time_))
+            }
+            Option::None => Option::None,
+        }
     }
 }
 impl Works {

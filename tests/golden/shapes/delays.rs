@@ -1,5 +1,43 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+#[repr(u32)]
+enum __VatState {
+    Idle,
+    Fill,
+    Heat,
+    INIT,
+}
+struct __VatStateMark(u8);
+impl __VatStateMark {
+    const fn of(state_: __VatState) -> Self {
+        Self(state_ as u8)
+    }
+    const fn state(self) -> __VatState {
+        let number_ = self.0 & 3u8;
+        if number_ >= 3u8 {
+            __VatState::INIT
+        } else {
+            match number_ {
+                0u8 => __VatState::Idle,
+                1u8 => __VatState::Fill,
+                _ => __VatState::Heat,
+            }
+        }
+    }
+    /// Another state, and the mark as it is.
+    const fn with(self, state_: __VatState) -> Self {
+        Self(self.0 & 4u8 | state_ as u8)
+    }
+    const fn unmarked(self) -> Self {
+        Self(self.0 & 3u8)
+    }
+    const fn marked(self) -> Self {
+        Self(self.0 | 4u8)
+    }
+    const fn is_marked(self) -> bool {
+        self.0 & 4u8 != 0
+    }
+}
 impl Vat {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -159,5 +197,62 @@ impl Vat {
             }
         }
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if !(!(self.situation.state() == __VatState::INIT)
+            && !self.situation.is_marked())
+        {
+            return Option::Some(self.reading);
+        }
+        let mut soonest_ = Option::None;
+        if self.delay0_in != self.delay0_out {
+            soonest_ = earlier(
+                soonest_,
+                self
+                    .delay0_since
+                    .after(
+                        if self.delay0_in {
+                            Ticks::ZERO
+                        } else {
+                            Ticks::new(500u32)
+                        },
+                    ),
+            );
+        }
+        if self.delay1_in != self.delay1_out {
+            soonest_ = earlier(
+                soonest_,
+                self
+                    .delay1_since
+                    .after(
+                        if self.delay1_in {
+                            Ticks::new(1000u32)
+                        } else {
+                            Ticks::new(200u32)
+                        },
+                    ),
+            );
+        }
+        if self.delay2_in != self.delay2_out {
+            soonest_ = earlier(
+                soonest_,
+                self
+                    .delay2_since
+                    .after(
+                        if self.delay2_in {
+                            Ticks::new(3000u32)
+                        } else {
+                            Ticks::ZERO
+                        },
+                    ),
+            );
+        }
+        soonest_
     }
 }

@@ -1,5 +1,10 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __LampState {
+    Off,
+    On,
+    INIT,
+}
 impl Lamp {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -53,6 +58,32 @@ impl Lamp {
             _ => {}
         }
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if !self.settled {
+            return Option::Some(self.reading);
+        }
+        let mut soonest_ = Option::None;
+        if self.situation == __LampState::On {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(5000u32),
+                ),
+            );
+        }
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.since.after(time_))
+            }
+            Option::None => Option::None,
+        }
     }
 }
 impl Lamp {

@@ -1,5 +1,55 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __WashRegion0 {
+    Idle,
+    Left1,
+    Left2,
+}
+struct __WashRegion0Mark(u8);
+impl __WashRegion0Mark {
+    const fn of(state_: __WashRegion0) -> Self {
+        Self(state_ as u8)
+    }
+    const fn state(self) -> __WashRegion0 {
+        let number_ = self.0 & 3u8;
+        if number_ >= 2u8 {
+            __WashRegion0::Left2
+        } else {
+            match number_ {
+                0u8 => __WashRegion0::Idle,
+                _ => __WashRegion0::Left1,
+            }
+        }
+    }
+    /// Another state, and the mark as it is.
+    const fn with(self, state_: __WashRegion0) -> Self {
+        Self(self.0 & 4u8 | state_ as u8)
+    }
+    const fn unmarked(self) -> Self {
+        Self(self.0 & 3u8)
+    }
+    const fn marked(self) -> Self {
+        Self(self.0 | 4u8)
+    }
+    const fn is_marked(self) -> bool {
+        self.0 & 4u8 != 0
+    }
+}
+enum __WashRegion1 {
+    Right1,
+    Right2,
+    NONE,
+}
+enum __WashRegion2 {
+    Top1,
+    Top2,
+    NONE,
+}
+enum __WashRegion3 {
+    Back1,
+    Back2,
+    NONE,
+}
 impl Wash {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.

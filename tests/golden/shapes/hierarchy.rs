@@ -1,5 +1,19 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __CellRegion0 {
+    Stopped,
+    Restart,
+    Idle,
+    Fill,
+    Settle,
+    Filled,
+    INIT,
+}
+enum __CellRegion3 {
+    Mix,
+    Rest,
+    NONE,
+}
 impl Cell {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -166,5 +180,36 @@ impl Cell {
         }
         outputs_.batches = self.batches;
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if self.region_0 == __CellRegion0::INIT {
+            return Option::Some(self.since_fill);
+        }
+        let mut soonest_ = Option::None;
+        if self.region_0 == __CellRegion0::Settle {
+            soonest_ = earlier(
+                soonest_,
+                self.since_fill.after(Ticks::new(5000u32)),
+            );
+        }
+        if self.region_3 == __CellRegion3::Mix {
+            soonest_ = earlier(
+                soonest_,
+                self.since_mix.after(Ticks::new(10000u32)),
+            );
+        }
+        if self.region_3 == __CellRegion3::Rest && !self.passed_mix {
+            soonest_ = earlier(
+                soonest_,
+                self.since_mix.after(Ticks::new(2000u32)),
+            );
+        }
+        soonest_
     }
 }

@@ -1,5 +1,18 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __GateRegion0 {
+    Rest,
+    NONE,
+    INIT,
+}
+enum __GateRegion1 {
+    Raise,
+    NONE,
+}
+enum __GateRegion2 {
+    Lower,
+    NONE,
+}
 impl Gate {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.

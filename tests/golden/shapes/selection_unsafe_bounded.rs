@@ -1,5 +1,48 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __FloatRegion0 {
+    Rest,
+    NONE,
+    INIT,
+}
+struct __FloatRegion0Mark(u8);
+impl __FloatRegion0Mark {
+    const fn of(state_: __FloatRegion0) -> Self {
+        Self(state_ as u8)
+    }
+    const fn state(self) -> __FloatRegion0 {
+        let number_ = self.0 & 3u8;
+        if number_ >= 2u8 {
+            __FloatRegion0::INIT
+        } else {
+            match number_ {
+                0u8 => __FloatRegion0::Rest,
+                _ => __FloatRegion0::NONE,
+            }
+        }
+    }
+    /// Another state, and the mark as it is.
+    const fn with(self, state_: __FloatRegion0) -> Self {
+        Self(self.0 & 4u8 | state_ as u8)
+    }
+    const fn unmarked(self) -> Self {
+        Self(self.0 & 3u8)
+    }
+    const fn marked(self) -> Self {
+        Self(self.0 | 4u8)
+    }
+    const fn is_marked(self) -> bool {
+        self.0 & 4u8 != 0
+    }
+}
+enum __FloatRegion1 {
+    Fill,
+    NONE,
+}
+enum __FloatRegion2 {
+    Drain,
+    NONE,
+}
 impl Float {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.

@@ -1,5 +1,10 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __LampState {
+    Off,
+    On,
+    INIT,
+}
 impl Lamp {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.

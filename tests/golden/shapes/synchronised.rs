@@ -1,5 +1,26 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __StationsRegion0 {
+    Start,
+    Wait,
+    Saw,
+    INIT,
+}
+enum __StationsRegion1 {
+    Empty,
+    Full,
+    NONE,
+}
+enum __StationsRegion2 {
+    Idle,
+    Bend,
+    NONE,
+}
+enum __StationsRegion3 {
+    Free,
+    Taken,
+    NONE,
+}
 impl Stations {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.

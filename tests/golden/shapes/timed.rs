@@ -1,5 +1,11 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
+enum __LampState {
+    Off,
+    On,
+    Dim,
+    INIT,
+}
 impl Lamp {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
     /// situation.
@@ -61,5 +67,56 @@ impl Lamp {
             _ => {}
         }
         outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if self.before_state != self.situation {
+            return Option::Some(self.since);
+        }
+        let mut soonest_ = Option::None;
+        if self.situation == __LampState::On
+            && self.reading.since(self.since) < Ticks::new(5000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(5000u32)
+                        - self.reading.since(self.since),
+                ),
+            );
+        }
+        if self.situation == __LampState::Dim
+            && self.reading.since(self.since) < Ticks::new(2000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(2000u32)
+                        - self.reading.since(self.since),
+                ),
+            );
+        }
+        if self.situation == __LampState::Dim
+            && self.reading.since(self.since) < Ticks::new(3000u32)
+        {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(3000u32)
+                        - self.reading.since(self.since),
+                ),
+            );
+        }
+        match soonest_ {
+            Option::Some(time_) => {
+                Option::Some(self.reading.after(time_))
+            }
+            Option::None => Option::None,
+        }
     }
 }
