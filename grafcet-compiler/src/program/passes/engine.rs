@@ -237,7 +237,7 @@ impl<'e, 'm> Engine<'e, 'm> {
         }
     }
 
-    fn fold(&self, expr: &Expr<'m>) -> Expr<'m> {
+    pub(super) fn fold(&self, expr: &Expr<'m>) -> Expr<'m> {
         let value = |place: PlaceId| match self.env[place.0] {
             Fact::Is(value) | Fact::Assumed(value) => Some(value),
             _ => None,

@@ -7,11 +7,11 @@ use super::super::parts::{Looked, Part};
 use super::super::share;
 use super::super::sparse::Index;
 use super::super::split::merged;
-use super::super::uses::{Effects, each_asked, each_read, writes_to};
+use super::super::uses::{Effects, each_asked, each_read, is_pure, mentions, writes_to};
 use super::{Env, Several, weight};
 use crate::list::List;
 use crate::program::build::not;
-use crate::program::{Expr, PlaceId, Statement, Type, Value};
+use crate::program::{Expr, PlaceId, PlaceInfo, Statement, Type, Value};
 use crate::sorted::Set;
 
 /// Of so many conditions each is tried.
@@ -22,6 +22,20 @@ fn size(statements: &[Statement<'_>]) -> usize {
     let mut size = weight(statements);
     each_asked(statements, &mut |_| size += 1);
     size
+}
+
+/// What a truth of the cycle is set from, if that is done once, in front of a statement, and can be asked there as well.
+fn value_of<'s, 'm>(
+    places: &[PlaceInfo<'m>],
+    list: &'s [Statement<'m>],
+    before: usize,
+    truth: PlaceId,
+) -> Option<&'s Expr<'m>> {
+    let info = &places[truth.0];
+    let mut writers = list.iter().enumerate().filter(|(_, one)| writes_to(one, truth));
+    let (at, Statement::Set(_, value)) = writers.next()? else { return None };
+    let is_once = writers.next().is_none() && at < before && !mentions(value, truth);
+    (is_once && !info.is_field && matches!(info.ty, Type::Bool) && is_pure(value)).then_some(value)
 }
 
 impl<'m> Several<'_, 'm> {
@@ -119,17 +133,60 @@ impl<'m> Several<'_, 'm> {
             if self.effort.get() == 0 {
                 break;
             }
-            let Some(asked) = self.asked_first(part.clone(), *at, env) else { continue };
-            let size = size(&asked);
-            if best.as_ref().is_none_or(|(least, _)| size < *least) {
-                best = Some((size, asked));
+            // What the others ask stands there once more, which has to be worth it.
+            let alone = self.without_others(&part, *at, env);
+            let alone = alone.map(|(part, off)| (size(&part.statements), part, off));
+            let plain = (usize::MAX, part.clone(), Vec::new());
+            for (most, part, off) in [Some(plain), alone].into_iter().flatten() {
+                let Some(asked) = self.asked_first(part, *at, &off, env) else { continue };
+                let size = size(&asked);
+                if size <= most && best.as_ref().is_none_or(|(least, _)| size < *least) {
+                    best = Some((size, asked));
+                }
             }
         }
         best.map_or(part.statements, |(_, best)| best)
     }
 
-    /// The condition at a place is asked, and the rest done by what it says, if what stands in front of it may stand behind it.
-    fn asked_first(&self, part: Part<'m>, at: usize, env: &Env) -> Option<Vec<Statement<'m>>> {
+    /// A condition that needs others not to hold, those that come before it in an `sfc`: with what they ask in place of their truths, so that these may be set where they belong.
+    /// The truths are false where it holds.
+    fn without_others(&self, part: &Part<'m>, at: usize, env: &Env) -> Option<(Part<'m>, Vec<PlaceId>)> {
+        let Statement::Set(place, Expr::All(parts)) = &part.statements[at] else { return None };
+        let index = Index::whole(self.places.len(), 0, &self.points[0]);
+        let mut engine = self.engine(&[], &index, 0, env);
+        let (mut asks, mut off) = (Vec::with_capacity(parts.len()), Vec::new());
+        for ask in parts {
+            let other = match ask {
+                Expr::Not(inner) => match **inner {
+                    Expr::Place(truth) => {
+                        value_of(self.places, &part.statements, at, truth).map(|value| (truth, value))
+                    }
+                    _ => None,
+                },
+                _ => None,
+            };
+            let ask = match other {
+                Some((truth, value)) => {
+                    off.push(truth);
+                    engine.fold(&not(value.clone()))
+                }
+                None => engine.fold(ask),
+            };
+            engine.tell(&ask, true);
+            asks.push(ask);
+        }
+        if off.is_empty() {
+            return None;
+        }
+        engine.back(0);
+        let condition = engine.fold(&Expr::All(asks));
+        let mut part = part.clone();
+        part.statements[at] = Statement::Set(*place, condition);
+        Some((part, off))
+    }
+
+    /// The condition at a place is asked, and the rest done by what it says, if what stands in front of it may stand behind it. Where it holds, the truths `off` are false.
+    fn asked_first(&self, part: Part<'m>, at: usize, off: &[PlaceId], env: &Env) -> Option<Vec<Statement<'m>>> {
         let mut wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;
         let behind = list.split_off(at);
@@ -162,12 +219,23 @@ impl<'m> Several<'_, 'm> {
             let mark = engine.trail.len();
             engine.tell(&condition, holds);
             engine.note(place, Fact::Is(Value::Bool(holds)));
+            let mut known = vec![(place, holds)];
+            let mut rest = rest.clone();
+            if holds {
+                for truth in off {
+                    engine.note(*truth, Fact::Is(Value::Bool(false)));
+                    rest.retain(|one| !matches!(one, Statement::Set(place, _) if place == truth));
+                    known.push((*truth, false));
+                }
+            }
             let mut env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later: env.later.clone() };
             self.narrow(&unasked, &mut env);
             let mut way = self.spec(&rest, &env);
-            if env.later.contains(&place) || self.read_after.contains(place) {
-                way.insert(0, Statement::Set(place, Expr::Value(Value::Bool(holds))));
-            }
+            known.retain(|(place, _)| env.later.contains(place) || self.read_after.contains(*place));
+            way.splice(
+                0..0,
+                known.iter().map(|(place, holds)| Statement::Set(*place, Expr::Value(Value::Bool(*holds)))),
+            );
             ways.push(way);
             engine.back(mark);
         }
