@@ -7,6 +7,7 @@
 mod endless;
 mod expr;
 mod ids;
+pub(crate) mod operands;
 pub mod placeholder;
 mod plants;
 mod queries;

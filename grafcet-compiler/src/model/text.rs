@@ -1,41 +1,20 @@
 //! What the model says in words: expressions, times, transitions as the user would write them.
 
-use super::{AnyId, Binary, Blink, Blinker, Model, Name, Read, Remembers, StepId, TimeRef, Transition, Tree, Unary};
+use super::operands::{self, binds};
+use super::{AnyId, Blink, Blinker, Model, Name, Read, Remembers, StepId, TimeRef, Transition, Tree};
 use crate::list::List;
 
 impl Model {
     /// An expression as the user would write it.
     #[must_use]
     pub fn tree_text(&self, tree: &Tree) -> String {
-        match tree {
-            Tree::Bool(value) => value.to_string(),
-            Tree::Int(value) => value.to_string(),
-            Tree::Read(read) => self.read_text(*read),
-            Tree::Elapsed(time, step) => self.read_text(Read::Elapsed(*time, *step)),
-            Tree::MacroElapsed(time, id) => self.read_text(Read::MacroElapsed(*time, *id)),
-            Tree::Unary(operator, inner) => {
-                let sign = if *operator == Unary::Not { "!" } else { "-" };
-                format!("{sign}{}", self.operand_text(inner))
-            }
-            Tree::Binary(operator, a, b) => {
-                let sign = operator.symbol();
-                if let Some(b) = self.variant_text(a, b) {
-                    return format!("{} {sign} {b}", self.operand_text(a));
-                }
-                if let Some(a) = self.variant_text(b, a) {
-                    return format!("{a} {sign} {}", self.operand_text(b));
-                }
-                format!("{} {sign} {}", self.operand_text(a), self.operand_text(b))
-            }
-            Tree::Opaque { text, .. } => text.clone(),
-        }
+        operands::text(self, tree, binds::ALONE)
     }
 
     /// The same beside an operator.
     #[must_use]
     pub fn operand_text(&self, tree: &Tree) -> String {
-        let text = self.tree_text(tree);
-        if matches!(tree, Tree::Binary(..)) { format!("({text})") } else { text }
+        operands::text(self, tree, binds::UNARY)
     }
 
     /// What is read, as the user would write it.
@@ -154,33 +133,6 @@ impl Model {
         match &transition.name {
             Some(name) => format!("`{name}: {from} → {to}`"),
             None => format!("`{from} → {to}`"),
-        }
-    }
-}
-
-impl Binary {
-    /// How the operator is written.
-    #[must_use]
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::And => "&&",
-            Self::Or => "||",
-            Self::BitAnd => "&",
-            Self::BitOr => "|",
-            Self::BitXor => "^",
-            Self::Eq => "==",
-            Self::Ne => "!=",
-            Self::Lt => "<",
-            Self::Le => "<=",
-            Self::Gt => ">",
-            Self::Ge => ">=",
-            Self::Add => "+",
-            Self::Sub => "-",
-            Self::Mul => "*",
-            Self::Div => "/",
-            Self::Rem => "%",
-            Self::Shl => "<<",
-            Self::Shr => ">>",
         }
     }
 }

@@ -3,7 +3,8 @@
 use std::fmt::{self, Display, Formatter, Write as _};
 
 use super::{Comparison, Expr, Fence, Initial, Mark, Phase, PlaceId, Program, Statement, Type, User, Value, Wait};
-use crate::model::{Binary, Model, Read, StepId, Tree, Ty, Unary};
+use crate::model::operands::{self, Leaves, binds};
+use crate::model::{Model, Read, StepId, Ty};
 
 /// No line of the list of locals is longer.
 const WIDTH: usize = 120;
@@ -21,13 +22,18 @@ impl Display for Program<'_> {
         let Some(deadline) = &self.deadline else { return Ok(()) };
         writeln!(f, "\ndeadline")?;
         let name = |place: PlaceId| &self.places[place.0].name;
-        writeln!(f, "  at {} if {}", self.expr(&deadline.reading, 0), self.expr(&deadline.at_once, 0))?;
+        writeln!(
+            f,
+            "  at {} if {}",
+            self.expr(&deadline.reading, binds::ALONE),
+            self.expr(&deadline.at_once, binds::ALONE)
+        )?;
         for Wait { condition, from, time } in &deadline.waits {
-            let (from, time) = (name(*from), self.expr(time, 0));
-            writeln!(f, "  {time} after {from} if {}", self.expr(condition, 0))?;
+            let (from, time) = (name(*from), self.expr(time, binds::ALONE));
+            writeln!(f, "  {time} after {from} if {}", self.expr(condition, binds::ALONE))?;
         }
         for (step, over) in &deadline.late {
-            writeln!(f, "  {} late if {}", self.model.steps[*step].name, self.expr(over, 0))?;
+            writeln!(f, "  {} late if {}", self.model.steps[*step].name, self.expr(over, binds::ALONE))?;
         }
         Ok(())
     }
@@ -167,7 +173,7 @@ impl Program<'_> {
         depth: usize,
     ) -> fmt::Result {
         let indent = "  ".repeat(depth);
-        write!(f, "if {}:", self.expr(condition, 0))?;
+        write!(f, "if {}:", self.expr(condition, binds::ALONE))?;
         self.branch(f, then, depth)?;
         match otherwise {
             [] => Ok(()),
@@ -196,7 +202,7 @@ impl Program<'_> {
     fn line(&self, statement: &Statement<'_>) -> Option<String> {
         let model = self.model;
         Some(match statement {
-            Statement::Set(place, value) => format!("{} = {}", self.name(*place), self.expr(value, 0)),
+            Statement::Set(place, value) => format!("{} = {}", self.name(*place), self.expr(value, binds::ALONE)),
             Statement::Break => "break".to_owned(),
             Statement::Fence(Fence::Memory) => "fence".to_owned(),
             Statement::Fence(Fence::Armv6m) => "fence on ARMv6-M".to_owned(),
@@ -208,8 +214,8 @@ impl Program<'_> {
                 format!("run {} with {} -> {}", run.code.text, reads.join(", "), writes.join(", "))
             }
             Statement::Call(action, phase, args) => {
-                let args: Vec<String> = args.iter().map(|arg| self.expr(arg, 0)).collect();
-                format!("call {}({}) {}", model.actions[*action].name, args.join(", "), self.expr(phase, 0))
+                let args: Vec<String> = args.iter().map(|arg| self.expr(arg, binds::ALONE)).collect();
+                format!("call {}({}) {}", model.actions[*action].name, args.join(", "), self.expr(phase, binds::ALONE))
             }
             Statement::Mark(Mark::Cleared(id)) => {
                 format!("cleared({})", model.transition_text(&model.transitions[*id]).replace('`', ""))
@@ -223,7 +229,7 @@ impl Program<'_> {
 
     /// What a name in a block stands for.
     fn bind(&self, read: Read, value: &Expr<'_>) -> String {
-        let value = self.expr(value, 0);
+        let value = self.expr(value, binds::ALONE);
         match read {
             Read::Name(name) if self.model.value_name(name) == &value => value,
             Read::Name(name) => format!("{} = {value}", self.model.value_name(name)),
@@ -233,20 +239,24 @@ impl Program<'_> {
 
     /// An expression, in parentheses where it binds less closely than what stands around it.
     fn expr(&self, expr: &Expr<'_>, around: u8) -> String {
-        let two = |a: &Expr<'_>, sign: &str, b: &Expr<'_>| format!("{} {sign} {}", self.expr(a, 4), self.expr(b, 4));
+        let two = |a: &Expr<'_>, sign: &str, b: &Expr<'_>, (left, right): (u8, u8)| {
+            format!("{} {sign} {}", self.expr(a, left), self.expr(b, right))
+        };
+        // Operators of sums from the left, comparisons not in a row.
+        let (compared, summed) = ((binds::BIT_OR, binds::BIT_OR), (binds::SUM, binds::PRODUCT));
         let (text, binds) = match expr {
-            Expr::Value(value) => (self.value(*value), 9),
-            Expr::Place(place) => (self.name(*place).to_owned(), 9),
-            Expr::Initial(place) => (self.initial(*place), 9),
-            Expr::Input(id) => (self.model.inputs[*id].name.to_string(), 9),
-            Expr::Now => ("now".to_owned(), 9),
+            Expr::Value(value) => (self.value(*value), binds::WHOLE),
+            Expr::Place(place) => (self.name(*place).to_owned(), binds::WHOLE),
+            Expr::Initial(place) => (self.initial(*place), binds::WHOLE),
+            Expr::Input(id) => (self.model.inputs[*id].name.to_string(), binds::WHOLE),
+            Expr::Now => ("now".to_owned(), binds::WHOLE),
             Expr::Is(place, steps) => {
                 let names: Vec<String> = steps.iter().map(|step| self.model.steps[*step].name.to_string()).collect();
-                (format!("{} is {}", self.name(*place), names.join("|")), 3)
+                (format!("{} is {}", self.name(*place), names.join("|")), binds::COMPARISON)
             }
-            Expr::Not(inner) => (format!("!{}", self.expr(inner, 8)), 8),
-            Expr::All(parts) => (self.list(parts, " && ", 2), 2),
-            Expr::Any(parts) => (self.list(parts, " || ", 1), 1),
+            Expr::Not(inner) => (format!("!{}", self.expr(inner, binds::UNARY)), binds::UNARY),
+            Expr::All(parts) => (self.list(parts, " && ", binds::AND), binds::AND),
+            Expr::Any(parts) => (self.list(parts, " || ", binds::OR), binds::OR),
             Expr::Compare(comparison, a, b) => {
                 let sign = match comparison {
                     Comparison::Equal => "==",
@@ -254,12 +264,12 @@ impl Program<'_> {
                     Comparison::Below => "<",
                     Comparison::AtLeast => ">=",
                 };
-                (two(a, sign, b), 3)
+                (two(a, sign, b, compared), binds::COMPARISON)
             }
             Expr::Choose(parts) => {
                 let [condition, then, otherwise] = &**parts;
-                let parts = [condition, then, otherwise].map(|part| self.expr(part, 0));
-                (format!("if {} then {} else {}", parts[0], parts[1], parts[2]), 0)
+                let parts = [condition, then, otherwise].map(|part| self.expr(part, binds::ALONE));
+                (format!("if {} then {} else {}", parts[0], parts[1], parts[2]), binds::ALONE)
             }
             Expr::Table(place, table) => {
                 let name = match table.first() {
@@ -267,84 +277,80 @@ impl Program<'_> {
                     Some((_, Value::Int(_))) => "kinds",
                     _ => "table",
                 };
-                (format!("{name}({})", self.name(*place)), 9)
+                (format!("{name}({})", self.name(*place)), binds::WHOLE)
             }
-            Expr::Next(place) => (format!("{} + 1", self.name(*place)), 4),
-            Expr::Add(a, b) => (two(a, "+", b), 4),
-            Expr::Sub(a, b) => (two(a, "-", b), 4),
-            Expr::Since(a, b) => (format!("since({}, {})", self.expr(a, 0), self.expr(b, 0)), 9),
+            Expr::Next(place) => (format!("{} + 1", self.name(*place)), binds::SUM),
+            Expr::Add(a, b) => (two(a, "+", b, summed), binds::SUM),
+            Expr::Sub(a, b) => (two(a, "-", b, summed), binds::SUM),
+            Expr::Since(a, b) => {
+                (format!("since({}, {})", self.expr(a, binds::ALONE), self.expr(b, binds::ALONE)), binds::WHOLE)
+            }
             Expr::Period(reached, passed, period) => {
                 let period = self.model.time_text(i128::from(*period));
-                (format!("period({}, {}, {period})", self.expr(reached, 0), self.expr(passed, 0)), 9)
+                (
+                    format!(
+                        "period({}, {}, {period})",
+                        self.expr(reached, binds::ALONE),
+                        self.expr(passed, binds::ALONE)
+                    ),
+                    binds::WHOLE,
+                )
             }
-            Expr::User(user) => return self.tree(user.tree, user, around),
+            Expr::User(user) => return operands::text(&Bound { program: self, user }, user.tree, around),
         };
-        if binds < around || binds == 0 && around > 0 { format!("({text})") } else { text }
+        if binds < around { format!("({text})") } else { text }
     }
 
     fn list(&self, parts: &[Expr<'_>], sign: &str, binds: u8) -> String {
         parts.iter().map(|part| self.expr(part, binds + 1)).collect::<Vec<_>>().join(sign)
     }
-
-    /// What the user has written, with what its names stand for.
-    fn tree(&self, tree: &Tree, user: &User<'_>, around: u8) -> String {
-        let bound = |read: Read| {
-            let value = user.binds.iter().find(|(other, _)| *other == read);
-            value.map_or_else(|| "?".to_owned(), |(_, value)| self.expr(value, around))
-        };
-        let (text, binds) = match tree {
-            Tree::Bool(value) => (value.to_string(), 9),
-            Tree::Int(value) => (value.to_string(), 9),
-            Tree::Read(read) => return bound(*read),
-            Tree::Elapsed(time, step) => return bound(Read::Elapsed(*time, *step)),
-            Tree::MacroElapsed(time, id) => return bound(Read::MacroElapsed(*time, *id)),
-            Tree::Unary(Unary::Not, inner) => (format!("!{}", self.tree(inner, user, 8)), 8),
-            Tree::Unary(Unary::Neg, inner) => (format!("-{}", self.tree(inner, user, 8)), 8),
-            Tree::Binary(operator, a, b) => {
-                let (sign, binds) = sign(*operator);
-                let (left, right) = (self.operand(a, b, user, binds), self.operand(b, a, user, binds + 1));
-                (format!("{left} {sign} {right}"), binds)
-            }
-            Tree::Opaque { text, reads, .. } => {
-                let reads: Vec<String> = reads.iter().map(|read| bound(*read)).collect();
-                (format!("rust {{ {text} }} of ({})", reads.join(", ")), 9)
-            }
-        };
-        if binds < around { format!("({text})") } else { text }
-    }
-
-    /// A variant by its name, where an enum is compared.
-    fn operand(&self, tree: &Tree, other: &Tree, user: &User<'_>, binds: u8) -> String {
-        let variant = Model::variant_text(self.model, other, tree);
-        variant.unwrap_or_else(|| self.tree(tree, user, binds))
-    }
 }
 
-/// How an operator is written, and how closely it binds.
-fn sign(operator: Binary) -> (&'static str, u8) {
-    match operator {
-        Binary::Or => ("||", 1),
-        Binary::And => ("&&", 2),
-        Binary::Eq => ("==", 3),
-        Binary::Ne => ("!=", 3),
-        Binary::Lt => ("<", 3),
-        Binary::Le => ("<=", 3),
-        Binary::Gt => (">", 3),
-        Binary::Ge => (">=", 3),
-        Binary::BitOr => ("|", 4),
-        Binary::BitXor => ("^", 5),
-        Binary::BitAnd => ("&", 5),
-        Binary::Shl => ("<<", 6),
-        Binary::Shr => (">>", 6),
-        Binary::Add => ("+", 6),
-        Binary::Sub => ("-", 6),
-        Binary::Mul => ("*", 7),
-        Binary::Div => ("/", 7),
-        Binary::Rem => ("%", 7),
+/// What the user has written, with what its names stand for.
+struct Bound<'p, 'm> {
+    program: &'p Program<'m>,
+    user: &'p User<'m>,
+}
+
+impl Leaves for Bound<'_, '_> {
+    fn model(&self) -> &Model {
+        self.program.model
+    }
+
+    fn read(&self, read: Read, around: u8) -> String {
+        let value = self.user.binds.iter().find(|(other, _)| *other == read);
+        value.map_or_else(|| "?".to_owned(), |(_, value)| self.program.expr(value, around))
+    }
+
+    fn rust(&self, text: &str, reads: &[Read]) -> (String, u8) {
+        let reads: Vec<String> = reads.iter().map(|read| self.read(*read, binds::ALONE)).collect();
+        (format!("rust {{ {text} }} of ({})", reads.join(", ")), binds::WHOLE)
     }
 }
 
 /// Tokens are printed with more spaces than a person writes.
 fn spaced(tokens: &str) -> String {
     tokens.replace(" :: ", "::").replace(" < ", "<").replace(" >", ">").replace(" ,", ",")
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::analysis::Facts;
+    use crate::diagnostic::Sink;
+    use crate::{model, parse, program};
+
+    #[test]
+    fn conditions_have_the_parentheses_that_they_need() {
+        let chart = "sfc C { input a, b, c: u8; initial step One; step Two;
+                     One -[(a ^ b) & c == 0]-> Two; Two -[(a << 2) + b > a - (b - c)]-> One; }";
+        let mut sink = Sink::new();
+        let chart = parse::chart(chart.parse().expect("tokens"), &mut sink).expect("a chart");
+        let model = model::resolve(&chart, &mut sink);
+        let facts = Facts::of(&model);
+        let printed = program::naive(&model, &facts).map(|program| program.to_string());
+        let printed = printed.unwrap_or_else(|_| panic!("no program"));
+        for condition in ["(a ^ b) & c == 0", "(a << 2) + b > a - (b - c)"] {
+            assert!(printed.contains(condition), "`{condition}`:\n{printed}");
+        }
+    }
 }
