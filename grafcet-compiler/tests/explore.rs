@@ -1,6 +1,6 @@
 //! The exploration of small charts whose situations one can count by hand.
 
-use grafcet_compiler::analysis::explore::{Exploration, Limits, situation};
+use grafcet_compiler::analysis::explore::{Exploration, Limits};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model, StepId, TransitionId};
 use grafcet_compiler::parse;
@@ -30,7 +30,7 @@ fn explore(chart: &str) -> Found {
     let step = |id: StepId| model.steps[id].name.to_string();
     let arc = |id: TransitionId| {
         let t = &model.transitions[id];
-        format!("{} -[{}]-> {}", situation(&model, &t.sources), t.condition.text, situation(&model, &t.targets))
+        format!("{} -[{}]-> {}", model.steps_text(&t.sources), t.condition.text, model.steps_text(&t.targets))
     };
     Found {
         unreachable: model.steps.ids().filter(|id| !exploration.reachable(*id)).map(step).collect(),

@@ -1,7 +1,6 @@
 //! `never_true`, `always_true`, `level_source_transition`, `event_without_edge`: what is wrong with a condition by itself.
 
 use super::branches::never_else;
-use crate::analysis::explore::situation;
 use crate::analysis::{Condition, Constant, Constants, Logic, apart, constant, has_edge, holds_without_edge};
 use crate::diagnostic::{Severity, Sink, rules};
 use crate::list::List;
@@ -91,7 +90,7 @@ fn enabled_anyway(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]
     let message = format!(
         "`{}` always holds while `{}` is active, so nothing waits for it; correct the condition, or write `true`",
         expr.text,
-        situation(model, &transition.sources)
+        model.steps_text(&transition.sources)
     );
     sink.rule(&rules::ALWAYS_TRUE, scopes, vec![(expr.mark, message)]);
     rules::ALWAYS_TRUE.severity_in(model.dialect, scopes) != Severity::Allow

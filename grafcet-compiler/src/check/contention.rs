@@ -4,7 +4,7 @@ use super::rivals::{self, Rivals};
 use crate::analysis::{Concurrency, Condition, Logic, Unlisted, meeting, unlisted};
 use crate::diagnostic::{Rule, Sink, rules};
 use crate::list::{List, PushAll};
-use crate::model::{ActionId, Association, Effect, LevelAttr, Model, OutputId, Place, Qualifier, Read, TimeRef, Tree};
+use crate::model::{ActionId, Association, Effect, LevelAttr, Model, OutputId, Place, Qualifier, Read, Tree};
 use crate::sorted::Map;
 
 pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], sink: &mut Sink) {
@@ -137,12 +137,8 @@ impl Contention<'_> {
     }
 
     fn time(&self, association: &Association) -> String {
-        match association.time {
-            Some(TimeRef::Ticks(ticks)) => format!("`{}`", self.model.time_text(i128::from(ticks))),
-            Some(TimeRef::Param(id)) => format!("`{}`", self.model.params[id].name),
-            Some(TimeRef::Var(id)) => format!("`{}`", self.model.vars[id].name),
-            None => "no time".to_owned(),
-        }
+        let text = |time| format!("`{}`", self.model.time_ref_text(time));
+        association.time.map_or_else(|| "no time".to_owned(), text)
     }
 
     fn report(

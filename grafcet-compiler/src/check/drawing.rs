@@ -86,28 +86,16 @@ fn duplicate_transitions(model: &Model, sink: &mut Sink) {
 /// Both places of a transition that is drawn twice.
 pub(super) fn duplicate_transition(model: &Model, first: TransitionId, second: TransitionId, sink: &mut Sink) {
     let transition = &model.transitions[second];
-    let from = match transition.any {
-        Some(any) => format!("`{}`", model.any_text(any)),
-        None => names(model, &transition.sources),
-    };
-    let to = names(model, &transition.targets);
+    let (from, to) = model.ends_text(transition);
     let drawn = |mark: Mark, when: &str| {
-        (mark, format!("this transition from {from} to {to} is drawn {when}, with the same condition; draw it once"))
+        (
+            mark,
+            format!("this transition from `{from}` to `{to}` is drawn {when}, with the same condition; draw it once"),
+        )
     };
     let notes =
         vec![drawn(model.transitions[first].mark, "again further down"), drawn(transition.mark, "a second time")];
     sink.rule(&rules::DUPLICATE_TRANSITION, &[], notes);
-}
-
-/// `` `A` ``, `` `(A, B)` ``
-fn names(model: &Model, steps: &[StepId]) -> String {
-    match steps {
-        [step] => format!("`{}`", model.steps[*step].name),
-        _ => {
-            let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).list();
-            format!("`({})`", names.join(", "))
-        }
-    }
 }
 
 /// A step no transition touches, although its partial grafcet has transitions.

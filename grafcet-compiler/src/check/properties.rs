@@ -3,7 +3,7 @@
 use super::rivals;
 use super::rulings::Rulings;
 use super::vacuous;
-use crate::analysis::explore::{Answer, Doubt, Given, Limits, Path, Stay, situation};
+use crate::analysis::explore::{Answer, Doubt, Given, Limits, Path, Stay};
 use crate::analysis::{Claims, Facts, Prover, Question, Ruling, unlisted_of};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::{List, PushAll};
@@ -241,7 +241,7 @@ impl Report<'_> {
             "whether this holds is not decided: in `{}` one cycle asks for {} inputs, {}{more}, and the budget ran out over \
              their combinations; exclude those that the plant excludes, `assume never …;`, let fewer decide in one situation, \
              or let more be tried, `budget {};`",
-            situation(self.model, at),
+            self.model.steps_text(at),
             inputs.len(),
             names.join(", "),
             grouped(self.limits.more())
@@ -251,7 +251,7 @@ impl Report<'_> {
     fn too_late(&self, property: &Property, home: (&str, Mark), times: &[&Given], path: &Path, sink: &mut Sink) {
         let (model, (home, mark)) = (self.model, home);
         let texts: Vec<String> = times.iter().map(|given| given.text(model)).list();
-        let (late, lost) = (texts.join(" && "), situation(model, path.end()));
+        let (late, lost) = (texts.join(" && "), model.steps_text(path.end()));
         let message = format!(
             "who waits in `{lost}` until `{late}` has no way back to exactly {home}; draw one, or correct the property\n{}",
             path.table(model)
@@ -289,7 +289,7 @@ impl Report<'_> {
 
     fn not_home(&self, property: &Property, (home, mark): (&[StepId], Mark), path: &Path, sink: &mut Sink) {
         let model = self.model;
-        let (home, lost, table) = (place(model, home), situation(model, path.end()), path.table(model));
+        let (home, lost, table) = (place(model, home), model.steps_text(path.end()), path.table(model));
         let Some(end) = path.cycles.last().filter(|end| !end.cleared.is_empty()) else {
             let times = times(path);
             if !times.is_empty() {
@@ -316,7 +316,7 @@ impl Report<'_> {
 
 /// `` `(A, B)` ``, beside other partial grafcets with the one that it speaks of.
 fn place(model: &Model, steps: &[StepId]) -> String {
-    let text = format!("`{}`", situation(model, steps));
+    let text = format!("`{}`", model.steps_text(steps));
     let mut names: Vec<String> = Vec::new();
     for name in steps.iter().filter_map(|step| model.partials[model.steps[*step].partial].name.as_ref()) {
         let name = format!("`{name}`");

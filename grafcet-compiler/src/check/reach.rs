@@ -5,7 +5,7 @@
 //! sources are never together, and where something waits for it, `stuck_join` says what is wrong.
 
 use super::waits;
-use crate::analysis::explore::{Exploration, Stay, StuckJoin, situation};
+use crate::analysis::explore::{Exploration, Stay, StuckJoin};
 use crate::analysis::{Concurrency, Dead, Explained};
 use crate::diagnostic::{Mark, Rule, Severity, Sink, rules};
 use crate::list::List;
@@ -155,5 +155,5 @@ fn never_holds(model: &Model, transition: &Transition) -> String {
 
 /// `` `A` ``, `` `(A, B)` ``
 fn named(model: &Model, steps: &[StepId]) -> String {
-    format!("`{}`", situation(model, steps))
+    format!("`{}`", model.steps_text(steps))
 }

@@ -116,21 +116,14 @@ const SHOWN: usize = 4;
 
 /// `` `A → B → A` ``, one for each partial grafcet: `` `A → B → A` with `X → Y → X` ``.
 fn text(model: &Model, circle: &Circle) -> String {
-    let side = |steps: &[StepId]| match steps {
-        [step] => model.steps[*step].name.to_string(),
-        _ => {
-            let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).list();
-            format!("({})", names.join(", "))
-        }
-    };
     let partials: Set<PartialId> = circle.transitions.iter().map(|id| model.transitions[*id].partial).collect();
     let ways = ways(model, circle);
     let path = |partial: &PartialId| {
         let is_own = |step: &StepId| model.steps[*step].partial == *partial;
         let own = ways.iter().filter(|(from, to)| from.iter().and(*to).any(is_own));
         let own: Vec<&Way<'_>> = own.list();
-        let mut parts: Vec<String> = own.iter().map(|(sources, _)| side(sources)).list();
-        parts.push_all(own.last().map(|(_, targets)| side(targets)));
+        let mut parts: Vec<String> = own.iter().map(|(sources, _)| model.steps_text(sources)).list();
+        parts.push_all(own.last().map(|(_, targets)| model.steps_text(targets)));
         format!("`{}`", parts.join(" → "))
     };
     let paths = partials.iter().map(path).list();

@@ -3,7 +3,7 @@
 //! A situation is reported once: what waits for a convergence that cannot come, or after a transition that never clears, is
 //! no deadlock beside that. Where all wait for each other, since one took what another needs, it is a deadlock.
 
-use crate::analysis::explore::{Deadlock, Exploration, Stay, StuckJoin, situation, smallest};
+use crate::analysis::explore::{Deadlock, Exploration, Stay, StuckJoin, smallest};
 use crate::analysis::{Concurrency, Explained};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::{List, PushAll};
@@ -69,7 +69,7 @@ pub(super) fn check(
 
 /// A deadlock in which steps wait for what others have taken.
 fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sink: &mut Sink) {
-    let here = situation(model, &deadlock.steps);
+    let here = model.steps_text(&deadlock.steps);
     let note = |step: &StepId| {
         let joins = exploration.stuck_joins().iter().filter(|stuck| stuck.waiting == *step);
         let missing = joins.flat(|stuck| &model.transitions[stuck.join].sources);
@@ -80,7 +80,7 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
         let message = format!(
             "from `{here}`, reached so, the chart never goes on: `{name}` waits for `{}`, which was taken and is never given back; \
              take what several branches need in the same order, and give it back in the end, `… -[x]-> (…, …)`",
-            situation(model, &missing)
+            model.steps_text(&missing)
         );
         (Mark::from(name), message)
     };
@@ -90,12 +90,12 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
 fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
     let join = &model.transitions[stuck.join];
     let (name, way) = (&model.steps[stuck.waiting].name, stuck.path.table(model));
-    let sources = situation(model, &join.sources);
+    let sources = model.steps_text(&join.sources);
     let mut notes = Vec::new();
     match stuck.culprit {
         Some(culprit) => {
             let by = &model.transitions[culprit];
-            let (from, to) = (situation(model, &by.sources), situation(model, &by.targets));
+            let (from, to) = (model.steps_text(&by.sources), model.steps_text(&by.targets));
             notes.push((
                 join.mark,
                 format!(
@@ -125,7 +125,7 @@ pub(super) fn levels<'m>(model: &'m Model, stuck: &StuckJoin) -> [&'m [LevelAttr
 }
 
 fn report(model: &Model, deadlock: &Deadlock, sink: &mut Sink) {
-    let here = situation(model, &deadlock.steps);
+    let here = model.steps_text(&deadlock.steps);
     let note = |step: &StepId| {
         let name = &model.steps[*step].name;
         let message = if model.leaving[step.index()].is_empty() {

@@ -169,12 +169,7 @@ fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> To
 
 /// `` `Off -[on && !over_temp]-> On` ``
 pub(super) fn transition_text(model: &Model, transition: &crate::model::Transition) -> String {
-    let list = |steps: &[crate::model::StepId]| {
-        let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).list();
-        if let [one] = &names[..] { one.clone() } else { format!("({})", names.join(", ")) }
-    };
-    let from = transition.any.map_or_else(|| list(&transition.sources), |any| model.any_text(any));
-    let to = list(&transition.targets);
+    let (from, to) = model.ends_text(transition);
     format!("`{from} -[{}]-> {to}`", transition.condition.text)
 }
 

@@ -118,21 +118,52 @@ impl Model {
         }
     }
 
+    /// Several steps together: `A`, `(A, B)`, `()`.
+    #[must_use]
+    pub fn steps_text(&self, steps: &[StepId]) -> String {
+        let names: Vec<String> = steps.iter().map(|step| self.steps[*step].name.to_string()).list();
+        match &names[..] {
+            [one] => one.clone(),
+            _ => format!("({})", names.join(", ")),
+        }
+    }
+
     /// A transition in a sentence: `` `A → B` ``, or its name.
     #[must_use]
     pub fn transition_text(&self, transition: &Transition) -> String {
-        let side = |steps: &[StepId]| match steps {
-            [step] => self.steps[*step].name.to_string(),
-            _ => {
-                let names: Vec<_> = steps.iter().map(|step| self.steps[*step].name.to_string()).list();
-                format!("({})", names.join(", "))
-            }
-        };
-        let from = transition.any.map_or_else(|| side(&transition.sources), |any| self.any_text(any));
-        let to = side(&transition.targets);
+        let (from, to) = self.ends_text(transition);
         match &transition.name {
             Some(name) => format!("`{name}: {from} → {to}`"),
             None => format!("`{from} → {to}`"),
         }
+    }
+
+    /// From where it leads, and to where.
+    pub(crate) fn ends_text(&self, transition: &Transition) -> (String, String) {
+        let from = transition.any.map_or_else(|| self.steps_text(&transition.sources), |any| self.any_text(any));
+        (from, self.steps_text(&transition.targets))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::diagnostic::Sink;
+    use crate::{model, parse};
+
+    #[test]
+    fn steps_and_ends_of_transitions() {
+        let chart = "sfc C { input a: bool; initial step A; step B; step D; step E;
+                     A -[a]-> (B, D); (B, D) -[!a]-> A; any except (A, E) -[a]-> E -[a]-> A; }";
+        let mut sink = Sink::new();
+        let chart = parse::chart(chart.parse().expect("tokens"), &mut sink).expect("a chart");
+        let model = model::resolve(&chart, &mut sink);
+        // What else is to be said of it is of no interest here.
+        drop(sink.finish());
+        let ends = |index: usize| model.ends_text(model.drawn_transitions().nth(index).expect("as many").1);
+        let both = |from: &str, to: &str| (from.to_owned(), to.to_owned());
+        assert_eq!(ends(0), both("any except (A, E)", "E"), "those of `any` come first");
+        assert_eq!(ends(1), both("A", "(B, D)"));
+        assert_eq!(ends(2), both("(B, D)", "A"));
+        assert_eq!(model.steps_text(&[]), "()");
     }
 }

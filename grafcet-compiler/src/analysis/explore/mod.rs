@@ -25,7 +25,7 @@ pub(crate) use verdicts::home::Stay;
 pub use verdicts::{
     contention::smallest,
     meeting::{Meeting, Parting},
-    path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation},
+    path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin},
     rivals::{Rival, rivals_meeting},
 };
 

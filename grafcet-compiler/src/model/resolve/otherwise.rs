@@ -84,11 +84,7 @@ impl Resolver<'_> {
     }
 
     fn steps_text(&self, id: TransitionId) -> String {
-        let names = self.model.transitions[id].sources.iter().map(|step| self.model.steps[*step].name.to_string());
-        match &names.list()[..] {
-            [one] => format!("`{one}`"),
-            several => format!("`({})`", several.join(", ")),
-        }
+        format!("`{}`", self.model.steps_text(&self.model.transitions[id].sources))
     }
 
     /// `!(a) && !(b)`

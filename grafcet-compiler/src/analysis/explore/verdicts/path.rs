@@ -110,22 +110,12 @@ impl Path {
 fn in_short(model: &Model, steps: &[StepId], before: &[StepId]) -> String {
     const SHOWN: usize = 8;
     if steps.len() <= SHOWN {
-        return situation(model, steps);
+        return model.steps_text(steps);
     }
     let entered: Vec<StepId> = steps.iter().filter(|step| !before.contains(step)).copied().list();
     let shown = if entered.is_empty() { steps } else { &entered[..] };
     let names: Vec<String> = shown.iter().take(SHOWN / 2).map(|step| model.steps[*step].name.to_string()).list();
     format!("({}, and {} more)", names.join(", "), steps.len() - names.len())
-}
-
-/// `A`, `(A, B)`, `()`.
-#[must_use]
-pub fn situation(model: &Model, steps: &[StepId]) -> String {
-    let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).list();
-    match &names[..] {
-        [one] => one.clone(),
-        _ => format!("({})", names.join(", ")),
-    }
 }
 
 impl Given {

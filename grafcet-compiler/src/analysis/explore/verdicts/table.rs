@@ -1,6 +1,6 @@
 //! A way as a table, for whoever has to follow it cycle by cycle.
 
-use super::path::{Path, PathCycle, situation};
+use super::path::{Path, PathCycle};
 use crate::list::{List, PushAll};
 use crate::model::{Model, TransitionId};
 
@@ -44,7 +44,7 @@ fn row(model: &Model, number: usize, cycle: &PathCycle) -> Row {
     let given: Vec<String> = cycle.given.iter().map(|given| given.text(model)).list();
     let cleared: Vec<String> = cycle.cleared.iter().map(|id| arc(model, *id)).list();
     let or = |text: String, otherwise: &str| if text.is_empty() { otherwise.to_owned() } else { text };
-    [number.to_string(), or(given.join(", "), "any"), or(cleared.join(", "), "-"), situation(model, &cycle.active)]
+    [number.to_string(), or(given.join(", "), "any"), or(cleared.join(", "), "-"), model.steps_text(&cycle.active)]
 }
 
 fn arc(model: &Model, id: TransitionId) -> String {
