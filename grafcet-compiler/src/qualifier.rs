@@ -92,7 +92,7 @@ impl Qualifier {
         match self {
             Self::P | Self::Sd | Self::Ds | Self::Sl => dialect == Dialect::Sfc,
             Self::On => dialect == Dialect::Grafcet,
-            _ => true,
+            Self::N | Self::S | Self::R | Self::L | Self::D | Self::P1 | Self::P0 => true,
         }
     }
 
@@ -118,6 +118,42 @@ impl Qualifier {
     #[must_use]
     pub const fn is_continuous(self) -> bool {
         matches!(self, Self::N | Self::L | Self::D)
+    }
+
+    /// Whether it acts while its step is active at most, and nothing of it stays: N, L, D and the pulse of P.
+    #[must_use]
+    pub const fn shows_with_its_step(self) -> bool {
+        self.drives_q() && !self.has_flip_flop()
+    }
+
+    /// Whether an association under it has neither timer nor flip-flop, so that it drives Q by itself: N, P.
+    #[must_use]
+    pub const fn drives_q_at_once(self) -> bool {
+        self.shows_with_its_step() && !self.has_time()
+    }
+
+    /// Whether it acts until its time is over, and not from then on: L, SL.
+    #[must_use]
+    pub const fn limits(self) -> bool {
+        matches!(self, Self::L | Self::Sl)
+    }
+
+    /// Whether its time is that of a flip-flop, which goes on after the step: SD, SL.
+    #[must_use]
+    pub const fn times_its_flip_flop(self) -> bool {
+        matches!(self, Self::Sd | Self::Sl)
+    }
+
+    /// Whether its time is that of its step, and begins anew where this is entered anew: L, D, DS.
+    #[must_use]
+    pub const fn restarts_with_step(self) -> bool {
+        self.has_time() && !self.times_its_flip_flop()
+    }
+
+    /// Whether its flip-flop is set when its time is over, and not when its step asks: DS.
+    #[must_use]
+    pub const fn stores_when_time_is_over(self) -> bool {
+        self.has_flip_flop() && self.restarts_with_step()
     }
 
     /// Whether it runs something once and has no part in Q of the action control: P1, P0, `on`.
@@ -146,7 +182,38 @@ impl Qualifier {
             Self::S | Self::R if dialect == Dialect::Grafcet => Trigger::Activation,
             Self::P0 => Trigger::Deactivation,
             Self::On => Trigger::Event,
-            _ => Trigger::Active,
+            Self::N | Self::S | Self::R | Self::L | Self::D | Self::Sd | Self::Ds | Self::Sl => Trigger::Active,
         }
+    }
+}
+
+// A new one that is not in the list would be passed by.
+const _: () = assert!(Qualifier::ALL.len() == Qualifier::On as usize + 1, "`Qualifier::ALL` holds all of them");
+
+#[cfg(test)]
+mod tests {
+    use super::Qualifier;
+    use crate::list::List;
+
+    /// The words of those for which something holds.
+    fn with(is: fn(Qualifier) -> bool) -> String {
+        let mut all = Qualifier::ALL.to_vec();
+        all.retain(|qualifier| is(*qualifier));
+        all.into_iter().map(Qualifier::word).list().join(" ")
+    }
+
+    #[test]
+    fn what_each_of_them_is() {
+        assert_eq!(with(Qualifier::has_time), "L D SD DS SL");
+        assert_eq!(with(Qualifier::has_flip_flop), "S SD DS SL");
+        assert_eq!(with(Qualifier::drives_q), "N S L D P SD DS SL");
+        assert_eq!(with(Qualifier::drives_q_at_once), "N P");
+        assert_eq!(with(Qualifier::is_continuous), "N L D");
+        assert_eq!(with(Qualifier::shows_with_its_step), "N L D P");
+        assert_eq!(with(Qualifier::limits), "L SL");
+        assert_eq!(with(Qualifier::restarts_with_step), "L D DS");
+        assert_eq!(with(Qualifier::times_its_flip_flop), "SD SL");
+        assert_eq!(with(Qualifier::stores_when_time_is_over), "DS");
+        assert_eq!(with(Qualifier::runs_once), "P1 P0 on");
     }
 }

@@ -1,7 +1,7 @@
 //! Boolean variables of a `grafcet` that continuous actions assert: they hold no value of their own (A22).
 
 use crate::list::{List, PushAll};
-use crate::model::{Association, Binary, Effect, Model, Name, Place, Qualifier, Read, Tree, Unary, VarId};
+use crate::model::{Association, Binary, Effect, Model, Name, Place, Read, Tree, Unary, VarId};
 use crate::sorted::Set;
 
 /// The combinational variables, each after those it reads; those on a circle, which is refused, come last.
@@ -68,7 +68,7 @@ fn written(model: &Model, tree: &Tree, depth: usize, left: &mut usize) -> Option
                 let mut asserts = Tree::Read(Read::Active(association.step));
                 if let Some(time) = association.time {
                     let elapsed = Tree::Elapsed(time, association.step);
-                    let limit = association.qualifier == Qualifier::L;
+                    let limit = association.qualifier.limits();
                     asserts = both(asserts, if limit { Tree::Unary(Unary::Not, Box::new(elapsed)) } else { elapsed });
                 }
                 if let Some(condition) = &association.condition {

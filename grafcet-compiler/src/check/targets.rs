@@ -25,7 +25,7 @@ pub(super) fn mistake(model: &Model, association: &Association) -> Option<(Mark,
         Effect::Control(place) if !may_be_bool(model.place_ty(*place)) => {
             Some((pair, not_bool(model, association.qualifier, *place)))
         }
-        Effect::Control(place) if starts_true(model, *place) && is_continuous(association.qualifier) => {
+        Effect::Control(place) if starts_true(model, *place) && association.qualifier.shows_with_its_step() => {
             let name = model.place_name(*place);
             let message = format!(
                 "`{name}` starts as `true`, so an action that makes it true while a step is active cannot be seen; \
@@ -98,11 +98,6 @@ pub(super) fn text_of(ty: &Ty) -> String {
 fn written(ty: &syn::Type) -> String {
     let text = ty.to_token_stream().to_string();
     [" < ", " >", " ;", " :: "].into_iter().fold(text, |text, wide| text.replace(wide, wide.trim()))
-}
-
-/// Whether an action with this qualifier shows while its step is active, and nothing of it stays.
-fn is_continuous(qualifier: Qualifier) -> bool {
-    matches!(qualifier, Qualifier::N | Qualifier::L | Qualifier::D | Qualifier::P)
 }
 
 fn starts_true(model: &Model, place: Place) -> bool {

@@ -36,7 +36,7 @@ pub(crate) enum Role {
 
 /// What it is; refused where neither form knows it.
 pub(crate) fn role(model: &Model, association: &Association) -> Result<Role, Refused> {
-    use Qualifier::{N, On, P0, P1, R, S};
+    use Qualifier::{D, Ds, L, N, On, P, P0, P1, R, S, Sd, Sl};
     let qualifier = association.qualifier;
     let role = match (&association.effect, qualifier) {
         (Effect::Control(place), S) => Role::Set(*place),
@@ -50,8 +50,12 @@ pub(crate) fn role(model: &Model, association: &Association) -> Result<Role, Ref
         (Effect::Assign(..) | Effect::Block(_) | Effect::Call(..), R) => return Err(runs(association)),
         // In an `sfc` what is assigned after another qualifier than N is written, and so runs.
         (Effect::Assign(Place::Output(_), _), _) if qualifier != N && !model.is_grafcet() => Role::Body,
-        (Effect::Control(place) | Effect::Assign(place @ Place::Output(_), _), _) => Role::Continuous(*place),
-        _ => Role::Body,
+        (Effect::Control(place) | Effect::Assign(place @ Place::Output(_), _), N | S | L | D | P | Sd | Ds | Sl) => {
+            Role::Continuous(*place)
+        }
+        (Effect::Assign(Place::Var(_), _) | Effect::Block(_) | Effect::Call(..), N | S | L | D | P | Sd | Ds | Sl) => {
+            Role::Body
+        }
     };
     Ok(role)
 }

@@ -19,10 +19,11 @@ pub(super) fn targets(model: &Model) -> Result<(), Error> {
 }
 
 fn possible_in_sfc(association: &Association) -> bool {
+    use Qualifier::{D, Ds, L, N, On, P, P0, P1, R, S, Sd, Sl};
     match association.qualifier {
-        Qualifier::On => false,
-        Qualifier::P1 | Qualifier::P0 => !matches!(association.effect, Effect::Control(_)),
-        _ => true,
+        On => false,
+        P1 | P0 => !matches!(association.effect, Effect::Control(_)),
+        N | S | R | L | D | P | Sd | Ds | Sl => true,
     }
 }
 

@@ -2,11 +2,11 @@
 
 use super::value::{Error, Value};
 use super::view::View;
-use grafcet_compiler::model::{Association, AssociationId, Effect, Model, OutputId, Place, Qualifier, VarId};
+use grafcet_compiler::model::{Association, AssociationId, Effect, Model, OutputId, Place, VarId};
 
 /// Whether the association is a continuous action: N, and L and D by A32.
 pub(super) fn is_continuous(association: &Association) -> bool {
-    matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D)
+    association.qualifier.is_continuous()
 }
 
 /// The continuous associations of a place in a `grafcet`, in source order.
@@ -43,7 +43,7 @@ pub(super) fn asserts(association: &Association, view: &View<'_>) -> Result<bool
     }
     if let Some(time) = association.time {
         let elapsed = view.elapsed(time, association.step)?;
-        if elapsed == (association.qualifier == Qualifier::L) {
+        if elapsed == (association.qualifier.limits()) {
             return Ok(false);
         }
     }

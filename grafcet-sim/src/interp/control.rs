@@ -55,12 +55,13 @@ impl Change {
 /// P, P1 and P0 are events; the others are flags. The condition of `N q if c` belongs to the flag. All are read before the
 /// first action runs (rule 5); P0's condition sees the time a re-entered step had reached, as P0 itself does (A34).
 pub(super) fn inputs(change: &Change, leaving: &View<'_>, view: &View<'_>) -> Result<BTreeSet<AssociationId>, Error> {
+    use Qualifier::{D, Ds, L, N, On, P, P0, P1, R, S, Sd, Sl};
     let mut on = BTreeSet::new();
     for (id, association) in view.model.associations.iter() {
         let (steps, view) = match association.qualifier {
-            Qualifier::P | Qualifier::P1 => (&change.entered, view),
-            Qualifier::P0 => (&change.left, leaving),
-            _ => (&change.after, view),
+            P | P1 => (&change.entered, view),
+            P0 => (&change.left, leaving),
+            N | S | R | L | D | Sd | Ds | Sl | On => (&change.after, view),
         };
         let condition = || association.condition.as_ref().map_or(Ok(true), |c| view.holds(&c.tree));
         if steps.contains(&association.step) && condition()? {
@@ -178,7 +179,7 @@ impl ActionControl {
         let input = |q: Qualifier| with(q).next().is_some();
         // A step re-entered by A4s starts L, D and DS again.
         let again = |q: Qualifier| with(q).any(|id| change.reentered(id, model));
-        for q in [L, D, Sd, Ds, Sl] {
+        for q in Qualifier::ALL.into_iter().filter(|q| q.has_time()) {
             if let Some(id) = with(q).next_back() {
                 self.time_of.insert(q, id);
             }

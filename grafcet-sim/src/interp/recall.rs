@@ -227,7 +227,6 @@ impl Recall<'_> {
 
     /// The flip-flops and timers of a target of an `sfc`.
     fn target(&self, target: Target, control: &mut ActionControl) -> Result<(), String> {
-        use Qualifier::{D, Ds, L, S, Sd, Sl};
         let all = control.associations.clone();
         let held = |make: &dyn Fn(AssociationId) -> Held| {
             all.iter().map(|id| make(*id)).find(|held| self.recalled.values.contains_key(held))
@@ -239,9 +238,10 @@ impl Recall<'_> {
             all.iter().copied().filter(|id| self.model.associations[*id].qualifier == q).collect()
         };
         // What begins as true and has nothing but R is set by no association.
-        let begins_set = control.flip_flops.contains(&S);
+        let begins_set = control.flip_flops.contains(&Qualifier::S);
         control.flip_flops.clear();
-        for q in [S, Sd, Ds, Sl].into_iter().filter(|q| !under(*q).is_empty() || *q == S && begins_set) {
+        let is_asked = |q: &Qualifier| !under(*q).is_empty() || *q == Qualifier::S && begins_set;
+        for q in Qualifier::ALL.into_iter().filter(|q| q.has_flip_flop() && is_asked(q)) {
             let field = held(&|id| Held::FlipFlop(id, q)).and_then(|held| self.truth(&held));
             let stored = || self.stored_by(target, q, &all);
             let Some(set) = field.or_else(stored) else { return Err(format!("what {} has set", q.word())) };
@@ -251,17 +251,15 @@ impl Recall<'_> {
             let by = chosen(&|id| Held::SetBy(id, q, Vec::new())).or_else(|| under(q).pop());
             control.set_by.extend(by.map(|by| (q, by)));
         }
-        for q in [L, D, Sd, Ds, Sl].into_iter().filter(|q| !under(*q).is_empty()) {
+        for q in Qualifier::ALL.into_iter().filter(|q| q.has_time() && !under(*q).is_empty()) {
             let times: BTreeSet<_> = under(q).iter().map(|id| self.model.associations[*id].time).collect();
             let of =
                 chosen(&|id| Held::TimerOf(id, q, Vec::new())).or_else(|| under(q).pop().filter(|_| times.len() == 1));
             let Some(of) = of else { return Err(format!("which time of {} counts", q.word())) };
             control.time_of.insert(q, of);
             let input = held(&|id| Held::TimerInput(id, q)).and_then(|held| self.truth(&held));
-            let signal = input.or_else(|| match q {
-                Sd | Sl => Some(control.flip_flops.contains(&q)),
-                _ => self.is_on(&under(q)),
-            });
+            let of_flip_flop = q.times_its_flip_flop().then(|| control.flip_flops.contains(&q));
+            let signal = input.or(of_flip_flop).or_else(|| self.is_on(&under(q)));
             let Some(signal) = signal else { return Err(format!("whether the timer of {} runs", q.word())) };
             let counted = held(&|id| Held::TimerHeld(id, q)).and_then(|held| self.ticks(&held));
             let counted = counted.or_else(|| if signal { self.time_of_step(q, &under(q)) } else { Some(0) });
@@ -277,7 +275,7 @@ impl Recall<'_> {
 
     /// Whether a target whose end something asks for was active, and by which associations.
     fn active(&self, control: &mut ActionControl) -> Result<(), String> {
-        use Qualifier::{D, L, N};
+        use Qualifier::N;
         let all = control.associations.clone();
         let qualifier = |id: &AssociationId| self.model.associations[*id].qualifier;
         let driving: Vec<AssociationId> = all.iter().copied().filter(|id| qualifier(id).drives_q()).collect();
@@ -291,7 +289,7 @@ impl Recall<'_> {
         let Some(was) = field.or(derived) else { return Err("whether it was active".to_owned()) };
         control.was = was;
         control.holding.clear();
-        for id in driving.iter().filter(|id| was && matches!(qualifier(id), N | L | D)) {
+        for id in driving.iter().filter(|id| was && qualifier(id).is_continuous()) {
             let by = self.truth(&Held::KeptBy(*id)).unwrap_or(true);
             if by && self.is_active(self.model.associations[*id].step) {
                 control.holding.insert(*id);
@@ -318,7 +316,7 @@ impl Recall<'_> {
             .values
             .keys()
             .any(|held| matches!(held, Held::Time(steps) if steps.contains(&association.step)));
-        let plain = !matches!(q, Qualifier::Sd | Qualifier::Sl) && association.condition.is_none() && is_timed;
+        let plain = !q.times_its_flip_flop() && association.condition.is_none() && is_timed;
         let time = self.memory.state.times.steps.get(&association.step).filter(|_| plain)?;
         Some(u32::try_from(*time).unwrap_or(u32::MAX))
     }

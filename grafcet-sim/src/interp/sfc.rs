@@ -10,7 +10,7 @@ use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
 use super::world::Given;
 use super::{Call, Evolution, Phase, arguments};
-use grafcet_compiler::model::{AssociationId, Effect, Id, Model, OutputId, Place, Qualifier};
+use grafcet_compiler::model::{AssociationId, Effect, Id, Model, OutputId, Place};
 
 /// The action controls of a chart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -131,7 +131,7 @@ impl Sfc {
 /// A boolean that only S and R control starts with its initial value.
 fn starts_set(model: &Model, target: Target, associations: &[AssociationId], state: &State) -> bool {
     let Target::Place(place) = target else { return false };
-    let stored = |id: &AssociationId| matches!(model.associations[*id].qualifier, Qualifier::S | Qualifier::R);
+    let stored = |id: &AssociationId| model.associations[*id].qualifier.sets_or_resets();
     let value = match place {
         Place::Output(id) => state.outputs[id.index()],
         Place::Var(id) => state.vars[id.index()],

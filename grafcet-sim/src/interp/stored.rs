@@ -48,16 +48,17 @@ pub(super) fn actions(view: &View<'_>, after: &Situation, cleared: &BTreeSet<Tra
 
 /// Whether the event of a stored action occurs in this evolution. A12: forcing raises the same events.
 fn occurs(association: &Association, view: &View<'_>, after: &Situation) -> Result<bool, Error> {
+    use Qualifier::{D, Ds, L, N, On, P, P0, P1, R, S, Sd, Sl};
     let (was, is) = (view.situation.contains(&association.step), after.contains(&association.step));
     match association.qualifier {
-        Qualifier::S | Qualifier::R | Qualifier::P1 => Ok(!was && is),
-        Qualifier::P0 => Ok(was && !is),
+        S | R | P1 => Ok(!was && is),
+        P0 => Ok(was && !is),
         // A36: an action on event runs if its step was active before the evolution.
-        Qualifier::On => match &association.event {
+        On => match &association.event {
             Some(event) => Ok(was && view.holds(&event.tree)?),
             None => Ok(false),
         },
-        _ => Ok(false),
+        N | L | D | P | Sd | Ds | Sl => Ok(false),
     }
 }
 

@@ -96,9 +96,7 @@ impl Resolver<'_> {
     /// The time after a qualifier.
     pub(super) fn time_arg(&mut self, time: &ast::TimeArg, qualifier: Option<Qualifier>) -> TimeRef {
         match time {
-            ast::TimeArg::Literal(time)
-                if time.nanos == 0 && matches!(qualifier, Some(Qualifier::L | Qualifier::Sl)) =>
-            {
+            ast::TimeArg::Literal(time) if time.nanos == 0 && qualifier.is_some_and(Qualifier::limits) => {
                 let message = "limited to no time at all, this action never shows; write the time it may last";
                 self.sink.rule(&rules::BAD_TIME, &[], vec![(time.span.into(), message.to_owned())]);
                 TimeRef::Ticks(0)

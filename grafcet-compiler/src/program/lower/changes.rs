@@ -2,9 +2,7 @@
 
 use super::control::limits_by_step;
 use crate::list::List;
-use crate::model::{
-    AssociationId, Binary, Blinker, Effect, Expr as Written, Model, Name, Qualifier, Read, TimeRef, Tree,
-};
+use crate::model::{AssociationId, Binary, Blinker, Effect, Expr as Written, Model, Name, Read, TimeRef, Tree};
 use crate::sorted::Set;
 
 /// At which times of a step or macro-step something changes.
@@ -46,7 +44,7 @@ pub(super) fn changes(model: &Model) -> Changes {
 /// same.
 pub(super) fn is_time_of_step(model: &Model, id: AssociationId) -> bool {
     if model.is_grafcet() {
-        return matches!(model.associations[id].qualifier, Qualifier::L | Qualifier::D);
+        return model.associations[id].qualifier.has_time();
     }
     limits_by_step(model, id)
 }

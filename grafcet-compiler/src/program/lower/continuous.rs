@@ -5,15 +5,14 @@ use super::Lower;
 use super::places::plain;
 use super::view::Moment;
 use crate::list::{List, PushAll};
-use crate::model::{ActionId, AssociationId, Effect, Id, Place, Qualifier};
+use crate::model::{ActionId, AssociationId, Effect, Id, Place};
 use crate::program::build::{all, any, choose, not, number, part, when, yes};
 use crate::program::{Expr, Initial, Phase, PlaceId, Role, Statement, Type, Value};
 
 impl<'m> Lower<'_, 'm> {
     /// Whether an association is a continuous action: N, and L and D by A32.
     pub(super) fn is_continuous(&self, id: AssociationId) -> bool {
-        let qualifier = self.model.associations[id].qualifier;
-        self.model.is_grafcet() && matches!(qualifier, Qualifier::N | Qualifier::L | Qualifier::D)
+        self.model.is_grafcet() && self.model.associations[id].qualifier.is_continuous()
     }
 
     /// Its step is active and its condition holds. A32: `L t q` is `q if !(t/Step)`, `D t q` is `q if t/Step`.
@@ -22,7 +21,7 @@ impl<'m> Lower<'_, 'm> {
         let mut parts = vec![self.active(association.step, Moment::Before)];
         if let Some(time) = association.time {
             let elapsed = self.read(crate::model::Read::Elapsed(time, association.step), Moment::Before);
-            parts.push(if association.qualifier == Qualifier::L { not(elapsed) } else { elapsed });
+            parts.push(if association.qualifier.limits() { not(elapsed) } else { elapsed });
         }
         parts.push(self.condition(association.condition.as_ref(), Moment::Before));
         all(parts)

@@ -13,7 +13,9 @@ use super::Lower;
 use super::places::plain;
 use super::view::Moment;
 use crate::list::{List, PushAll};
-use crate::model::{ActionId, Association, AssociationId, Effect, Id, Model, Place, Qualifier, TimeRef};
+use crate::model::{
+    ActionId, Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, TimeRef, Trigger,
+};
 use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
 use crate::sorted::sort_by_key;
@@ -53,12 +55,12 @@ struct Term<'m> {
 }
 
 impl<'m> Term<'m> {
-    /// Whether an association with this flag, and one of N, L, D and P, makes it hold.
+    /// Whether an association with this flag, and a qualifier without a flip-flop, makes it hold.
     fn of(&self, flag: PlaceId) -> Expr<'m> {
-        match self.qualifier {
-            Qualifier::N | Qualifier::P => Expr::Place(flag),
-            _ => all(vec![Expr::Place(flag), self.holds.clone()]),
+        if self.qualifier.drives_q_at_once() {
+            return Expr::Place(flag);
         }
+        all(vec![Expr::Place(flag), self.holds.clone()])
     }
 }
 
@@ -85,7 +87,7 @@ impl<'m> Lower<'_, 'm> {
             What::Own => format!("{}.{}", self.step_name(model.associations[first].step), first.index()),
         };
         let q = self.truth(format!("q.{name}"));
-        let driving = associations.iter().filter(|id| drives(&model.associations[**id])).count();
+        let driving = associations.iter().filter(|id| model.associations[**id].qualifier.drives_q()).count();
         let runs = driving > 0 && !matches!(what, What::Place(_));
         let bool_field = Initial::Value(Value::Bool(false));
         let was = runs.then(|| self.field(format!("was.q.{name}"), Role::Active(first), Type::Bool, bool_field));
@@ -93,7 +95,7 @@ impl<'m> Lower<'_, 'm> {
             let begin = Initial::Value(Value::Int(0));
             self.field(format!("acted.{name}"), Role::Acted(first), Type::Number, begin)
         });
-        let held = associations.iter().any(|id| is_held(&model.associations[*id]));
+        let held = associations.iter().any(|id| model.associations[*id].qualifier.is_continuous());
         let by_leaving = (runs && held).then(|| self.truth(format!("by_leaving.{name}")));
         Target { what, associations, name, q, was, acted, by_leaving }
     }
@@ -107,10 +109,10 @@ impl<'m> Lower<'_, 'm> {
             let name = format!("on.{}.{}", self.step_name(association.step), id.index());
             let flag = self.truth(name);
             let step = association.step.index();
-            let (is_on, moment) = match association.qualifier {
-                Qualifier::P | Qualifier::P1 => (Expr::Place(self.entered[step]), Moment::After),
-                Qualifier::P0 => (Expr::Place(self.left[step]), Moment::Leaving),
-                _ => (self.is(association.step), Moment::After),
+            let (is_on, moment) = match association.qualifier.trigger(Dialect::Sfc) {
+                Trigger::Activation => (Expr::Place(self.entered[step]), Moment::After),
+                Trigger::Deactivation => (Expr::Place(self.left[step]), Moment::Leaving),
+                Trigger::Active | Trigger::Event => (self.is(association.step), Moment::After),
             };
             let condition = self.condition(association.condition.as_ref(), moment);
             body.push(Statement::Set(flag, all(vec![is_on, condition])));
@@ -121,12 +123,12 @@ impl<'m> Lower<'_, 'm> {
 
     /// The function block of one target.
     pub(super) fn control(&mut self, target: &Target, flags: &[PlaceId]) -> Vec<Statement<'m>> {
-        use Qualifier::{D, Ds, L, N, P, R, S, Sd, Sl};
+        use Qualifier::{D, Ds, L, N, On, P, P0, P1, R, S, Sd, Sl};
         let mut body = Vec::new();
         let input = |lower: &Self, qualifier| lower.input(target, flags, qualifier);
         let reset = input(self, R);
         let mut terms = Vec::new();
-        for qualifier in [N, S, L, D, P, Sd, Ds, Sl] {
+        for qualifier in Qualifier::ALL {
             if !(self.has(target, qualifier) || qualifier == S && self.only_stored(target)) {
                 continue;
             }
@@ -152,7 +154,9 @@ impl<'m> Lower<'_, 'm> {
                     let done = self.timer(target, flags, Sl, stored.clone(), &mut body);
                     all(vec![stored, not(done)])
                 }
-                _ => set,
+                N | P => set,
+                // They have no part in Q, and R ends it.
+                R | P1 | P0 | On => continue,
             };
             terms.push(Term { qualifier, holds, sets });
         }
@@ -168,7 +172,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     /// The associations of a target under a qualifier.
-    fn under(&self, target: &Target, qualifier: Qualifier) -> Vec<AssociationId> {
+    pub(super) fn under(&self, target: &Target, qualifier: Qualifier) -> Vec<AssociationId> {
         let mut all = target.associations.clone();
         all.retain(|id| self.model.associations[*id].qualifier == qualifier);
         all
@@ -180,7 +184,7 @@ impl<'m> Lower<'_, 'm> {
 
     /// A boolean that only S and R control starts with its initial value.
     fn only_stored(&self, target: &Target) -> bool {
-        let stored = |id: &AssociationId| matches!(self.model.associations[*id].qualifier, Qualifier::S | Qualifier::R);
+        let stored = |id: &AssociationId| self.model.associations[*id].qualifier.sets_or_resets();
         matches!(target.what, What::Place(_)) && target.associations.iter().all(stored)
     }
 
@@ -268,7 +272,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     fn again(&self, target: &Target, flags: &[PlaceId], qualifier: Qualifier) -> Expr<'m> {
-        if !matches!(qualifier, Qualifier::L | Qualifier::D | Qualifier::Ds) {
+        if !qualifier.restarts_with_step() {
             return no();
         }
         let mut again = Vec::new();
@@ -282,21 +286,18 @@ impl<'m> Lower<'_, 'm> {
 
     /// Point 7: "An association acts in a cycle in which it alone would make Q true. Of several that act, the last in the source."
     fn who_acts(&mut self, target: &Target, flags: &[PlaceId], terms: &[Term<'m>], body: &mut Vec<Statement<'m>>) {
-        use Qualifier::{D, Ds, L, N, P, S, Sd, Sl};
         let Some(acted) = target.acted else { return };
         let mut acting: Vec<(AssociationId, Expr<'m>)> = Vec::new();
         for term in terms {
             let under = self.under(target, term.qualifier);
-            let by_flip_flop = matches!(term.qualifier, S | Sd | Ds | Sl);
+            let by_flip_flop = term.qualifier.has_flip_flop();
             let setter = by_flip_flop.then(|| self.who_set(target, flags, term, &under, body));
             for id in under {
-                let acts = match term.qualifier {
-                    N | L | D | P => term.of(flags[id.index()]),
-                    _ => {
-                        let by =
-                            setter.flatten().map(|by| compare(Comparison::Equal, Expr::Place(by), number(id.index())));
-                        all(by.into_iter().and([term.holds.clone()]).list())
-                    }
+                let acts = if by_flip_flop {
+                    let by = setter.flatten().map(|by| compare(Comparison::Equal, Expr::Place(by), number(id.index())));
+                    all(by.into_iter().and([term.holds.clone()]).list())
+                } else {
+                    term.of(flags[id.index()])
                 };
                 acting.push((id, acts));
             }
@@ -340,7 +341,8 @@ impl<'m> Lower<'_, 'm> {
         for term in terms {
             for id in self.under(target, term.qualifier) {
                 let association = &self.model.associations[id];
-                if !is_held(association) {
+                // What N, L and D hold up, they hold up as long as their step is active.
+                if !association.qualifier.is_continuous() {
                     continue;
                 }
                 let name = format!("held.{}.{}", self.step_name(association.step), id.index());
@@ -370,19 +372,7 @@ pub(super) fn limits_by_step(model: &Model, id: AssociationId) -> bool {
     let shares = |(other, another): (AssociationId, &Association)| {
         other != id && another.qualifier == qualifier && target != What::Own && what(another) == target
     };
-    matches!(qualifier, Qualifier::L | Qualifier::D | Qualifier::Ds)
-        && association.condition.is_none()
-        && !model.associations.iter().any(shares)
-}
-
-/// P1 and P0 have no part in Q, and R ends it.
-pub(super) fn drives(association: &Association) -> bool {
-    !matches!(association.qualifier, Qualifier::R | Qualifier::P1 | Qualifier::P0)
-}
-
-/// What N, L and D hold up, they hold up as long as their step is active.
-fn is_held(association: &Association) -> bool {
-    matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D)
+    qualifier.restarts_with_step() && association.condition.is_none() && !model.associations.iter().any(shares)
 }
 
 /// An output assigned after another qualifier than N is written, not assigned in the sense of A35.

@@ -2,7 +2,7 @@
 //! source order, a combined target where it first stands in the source" (point 5, A29).
 
 use super::Lower;
-use super::control::{Target, What, drives};
+use super::control::{Target, What};
 use super::view::Moment;
 use crate::list::{List, PushAll};
 use crate::model::{ActionId, AssociationId, Code, Effect, Id, Place, Qualifier, Read, Ty};
@@ -74,7 +74,7 @@ impl<'m> Lower<'_, 'm> {
     fn run_leaving(&mut self, target: &Target, flags: &[PlaceId], into: &mut Vec<Statement<'m>>) {
         let fell = target.was.map_or_else(no, |was| all(vec![Expr::Place(was), not(Expr::Place(target.q))]));
         let mut runs = Vec::new();
-        for id in self.with(target, Qualifier::P0) {
+        for id in self.under(target, Qualifier::P0) {
             let phase = choose_phase(fell.clone(), Phase::Final);
             let run = self.effect(&self.model.associations[id].effect, Moment::Leaving, phase);
             runs.push((flags[id.index()], run));
@@ -90,7 +90,7 @@ impl<'m> Lower<'_, 'm> {
     /// P1. "P1 together with an active Q is one run": with the arguments of the last in the source of those that act.
     fn run_entering(&mut self, target: &Target, flags: &[PlaceId], into: &mut Vec<Statement<'m>>) {
         let mut runs = Vec::new();
-        for id in self.with(target, Qualifier::P1) {
+        for id in self.under(target, Qualifier::P1) {
             let own = self.effect(&self.model.associations[id].effect, Moment::After, first());
             let later = match (target.acted, &self.driving(target)[..]) {
                 (Some(acted), _) => at_least_number(acted, id),
@@ -111,7 +111,7 @@ impl<'m> Lower<'_, 'm> {
     fn run_rest(&mut self, target: &Target, flags: &[PlaceId], into: &mut Vec<Statement<'m>>) {
         let Some(was) = target.was else { return };
         let none_of = |lower: &Self, qualifier| -> Vec<Expr<'m>> {
-            lower.with(target, qualifier).iter().map(|id| not(Expr::Place(flags[id.index()]))).list()
+            lower.under(target, qualifier).iter().map(|id| not(Expr::Place(flags[id.index()]))).list()
         };
         let (p1, p0) = (none_of(self, Qualifier::P1), none_of(self, Qualifier::P0));
         let phase = choose_phase(Expr::Place(was), Phase::Repeated);
@@ -124,15 +124,9 @@ impl<'m> Lower<'_, 'm> {
         when(into, all(ends), run);
     }
 
-    fn with(&self, target: &Target, qualifier: Qualifier) -> Vec<AssociationId> {
-        let mut all = target.associations.clone();
-        all.retain(|id| self.model.associations[*id].qualifier == qualifier);
-        all
-    }
-
     fn driving(&self, target: &Target) -> Vec<AssociationId> {
         let mut all = target.associations.clone();
-        all.retain(|id| drives(&self.model.associations[*id]));
+        all.retain(|id| self.model.associations[*id].qualifier.drives_q());
         all
     }
 

@@ -4,7 +4,7 @@
 use super::Lower;
 use super::view::Moment;
 use crate::list::{List, PushAll};
-use crate::model::{Association, Code, Effect, Id, Place, Qualifier};
+use crate::model::{Association, Code, Dialect, Effect, Id, Place, Qualifier, Trigger};
 use crate::program::build::{all, no, not, when, yes};
 use crate::program::{Expr, Phase, PlaceId, Statement, Value, Write};
 use crate::sorted::Set;
@@ -89,12 +89,12 @@ impl<'m> Lower<'_, 'm> {
             Moment::Start => no(),
             _ => is,
         };
-        match (association.qualifier, &association.event) {
-            (Qualifier::S | Qualifier::R | Qualifier::P1, _) => all(vec![not(was), is]),
-            (Qualifier::P0, _) => all(vec![was, not(is)]),
+        match (association.qualifier.trigger(Dialect::Grafcet), &association.event) {
+            (Trigger::Activation, _) => all(vec![not(was), is]),
+            (Trigger::Deactivation, _) => all(vec![was, not(is)]),
             // A36: an action on event runs if its step was active before the evolution.
-            (Qualifier::On, Some(event)) => all(vec![was, self.user(event, moment)]),
-            _ => no(),
+            (Trigger::Event, Some(event)) => all(vec![was, self.user(event, moment)]),
+            (Trigger::Event | Trigger::Active, _) => no(),
         }
     }
 
@@ -108,7 +108,7 @@ impl<'m> Lower<'_, 'm> {
     ) {
         let occurs = all(vec![occurs, self.condition(association.condition.as_ref(), moment)]);
         match (association.qualifier, &association.effect) {
-            (Qualifier::S | Qualifier::R, Effect::Control(place)) => {
+            (qualifier, Effect::Control(place)) if qualifier.sets_or_resets() => {
                 let value = Expr::Value(Value::Bool(association.qualifier == Qualifier::S));
                 let next = self.next_of(*place, stored);
                 when(body, occurs, vec![Statement::Set(next, value)]);

@@ -202,7 +202,7 @@ impl<'m> Case<'m> {
             let mut part = Vec::new();
             if let Some(time) = association.time {
                 let limit = self.scope.time(time, association.mark)?;
-                let sign = if association.qualifier == Qualifier::L { "<" } else { ">=" };
+                let sign = if association.qualifier.limits() { "<" } else { ">=" };
                 let timer = self.scope.timer(step);
                 part.push(Text::order(format!("{timer}.ET {sign} {limit}")));
             }

@@ -41,12 +41,12 @@ pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>) -> Vec<
 }
 
 fn too_much(model: &Model, association: &Association) -> Option<String> {
-    use Qualifier::{D, Ds, L, Sd, Sl};
+    use Qualifier::{D, L};
     let sfc = !model.is_grafcet();
     let word = association.qualifier.word();
     let others = || model.associations.values().filter(|other| !std::ptr::eq(*other, association));
     match (association.qualifier, &association.effect) {
-        (Sd | Ds | Sl, _) => {
+        (qualifier, _) if qualifier.has_time() && qualifier.has_flip_flop() => {
             Some(format!("what `{word}` does outlives its step, which the CASE form has no place for"))
         }
         (qualifier, effect)

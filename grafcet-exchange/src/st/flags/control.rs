@@ -80,7 +80,7 @@ impl Flags<'_> {
         let Some(time) = association.time else { return Ok(None) };
         let limit = self.scope.time(time, association.mark)?;
         let timer = self.scope.timer(association.step);
-        let sign = if association.qualifier == Qualifier::L { "<" } else { ">=" };
+        let sign = if association.qualifier.limits() { "<" } else { ">=" };
         Ok(Some(Text::order(format!("{timer}.ET {sign} {limit}"))))
     }
 
@@ -130,10 +130,12 @@ impl Flags<'_> {
         reset: Option<&String>,
         done: &mut Vec<Statement>,
     ) -> Result<Driven, Refused> {
-        use Qualifier::{D, Ds, L, N, P, S, Sd, Sl};
+        use Qualifier::{D, Ds, L, N, On, P, P0, P1, R, S, Sd, Sl};
         let (mut terms, mut delayed) = (BTreeMap::new(), None);
-        for qualifier in [N, P, S, L, D, Sd, Sl, Ds] {
-            let Some(all_of) = inputs.get(&qualifier) else { continue };
+        let mut inputs: Vec<_> = inputs.iter().collect();
+        // DS stands last, as in text that has been exported before.
+        inputs.sort_by_key(|(qualifier, _)| qualifier.stores_when_time_is_over());
+        for (&qualifier, all_of) in inputs {
             let input = one_of(all_of);
             let term = match qualifier {
                 S => {
@@ -161,7 +163,9 @@ impl Flags<'_> {
                     delayed = Some(over);
                     Text::word(stored)
                 }
-                _ => input,
+                N | P => input,
+                // Nothing is driven by them.
+                R | P1 | P0 | On => continue,
             };
             terms.insert(qualifier, term);
         }
@@ -214,7 +218,7 @@ impl Flags<'_> {
     ) -> Result<Text, Refused> {
         let timer = self.scope.names.own(&format!("{name}_{}_T", qualifier.word()));
         self.frame.timer(&timer, &format!("{} of {name}", qualifier.word()));
-        if matches!(qualifier, Qualifier::L | Qualifier::D | Qualifier::Ds) {
+        if qualifier.restarts_with_step() {
             let mut again = Vec::new();
             for (association, own) in all_of {
                 if self.may_reenter(association.step) {
@@ -257,7 +261,7 @@ impl Flags<'_> {
         let chosen = self.scope.names.own(&format!("{name}_{}_PT", qualifier.word()));
         let note = "that of the step that asked last";
         // What a flip-flop keeps goes on with the time of who has set it, which may change meanwhile.
-        let keeps = matches!(qualifier, Qualifier::Sd | Qualifier::Sl);
+        let keeps = qualifier.times_its_flip_flop();
         let literal = all_of.iter().all(|(association, _)| matches!(association.time, Some(TimeRef::Ticks(_))));
         if keeps {
             let init = if literal { &limits[0].1 } else { LONGEST };

@@ -144,7 +144,7 @@ impl Flags<'_> {
                 let is_left = self.deactivated(association.step);
                 Some([is_left.clone(), not(is_left)])
             }
-            Qualifier::L | Qualifier::D => with_step,
+            qualifier if qualifier.is_continuous() => with_step,
             _ => None,
         };
         Ok((name, left_or_not))
@@ -324,7 +324,7 @@ impl Flags<'_> {
 
 /// What is stored and not limited goes on for ever: nothing resets what runs.
 fn may_end(qualifier: Qualifier) -> bool {
-    !matches!(qualifier, Qualifier::S | Qualifier::Sd | Qualifier::Ds)
+    !qualifier.has_flip_flop() || qualifier.limits()
 }
 
 /// The continuous calls of one action, in source order.

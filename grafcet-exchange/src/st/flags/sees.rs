@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Id, Qualifier, StepId};
+use grafcet_compiler::model::{Association, Id, StepId};
 
 use super::Flags;
 use crate::Refused;
@@ -23,7 +23,7 @@ impl<'m> Flags<'m> {
         // In a `grafcet` the timers have been called anew by then.
         if !self.model.is_grafcet() {
             // What is stored outlives its step.
-            let stored = matches!(association.qualifier, Qualifier::S | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl);
+            let stored = association.qualifier.has_flip_flop();
             self.scope.moment = Moment::Moved((!stored).then_some(association.step));
         }
         let seen = see(&mut self.scope, &At { active: &active, before: &before, times: true, mark: association.mark });

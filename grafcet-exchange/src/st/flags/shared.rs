@@ -48,12 +48,8 @@ impl<'m> Called<'m> {
     }
 
     fn driving(&self) -> impl DoubleEndedIterator<Item = &Caller<'m>> {
-        self.callers.iter().filter(|caller| drives(caller.association.qualifier))
+        self.callers.iter().filter(|caller| caller.association.qualifier.drives_q())
     }
-}
-
-fn drives(qualifier: Qualifier) -> bool {
-    !matches!(qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::R)
 }
 
 impl<'m> Flags<'m> {
@@ -119,11 +115,12 @@ impl<'m> Flags<'m> {
 
     /// The flag or the event of an association, as it is before the first action runs.
     fn asking(&mut self, association: &Association) -> Result<Text, Refused> {
+        use Qualifier::{D, Ds, L, N, On, P, P0, P1, R, S, Sd, Sl};
         let (moment, event) = match association.qualifier {
-            Qualifier::P0 => (Moment::Leaving, self.deactivated(association.step)),
-            Qualifier::P1 => (Moment::Moved(Some(association.step)), self.activated(association.step)),
-            Qualifier::P => return Ok(all(vec![self.input(association)?, self.activated(association.step)])),
-            _ => return self.input(association),
+            P0 => (Moment::Leaving, self.deactivated(association.step)),
+            P1 => (Moment::Moved(Some(association.step)), self.activated(association.step)),
+            P => return Ok(all(vec![self.input(association)?, self.activated(association.step)])),
+            N | S | R | L | D | Sd | Ds | Sl | On => return self.input(association),
         };
         let Some(condition) = &association.condition else { return Ok(event) };
         let text = self.instant(moment, association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
@@ -135,7 +132,7 @@ impl<'m> Flags<'m> {
         let mut inputs = Inputs::new();
         for caller in &called.callers {
             let qualifier = caller.association.qualifier;
-            if drives(qualifier) || qualifier == Qualifier::R {
+            if !qualifier.runs_once() {
                 inputs.entry(qualifier).or_default().push((caller.association, caller.on.clone()));
             }
         }
@@ -144,7 +141,7 @@ impl<'m> Flags<'m> {
         let mut driven = self.driven_by(&called.name, &inputs, reset.as_ref(), &mut done)?;
         for (qualifier, term) in &mut driven.terms {
             // Asked more than once; where nothing resets it, steps are asked themselves.
-            let once = reset.is_none() && matches!(qualifier, Qualifier::N | Qualifier::P);
+            let once = reset.is_none() && qualifier.drives_q_at_once();
             if term.strength != strength::WORD && !once {
                 let flag = self.local(&format!("{}_{}_runs", called.name, qualifier.word()));
                 let asked = std::mem::replace(term, Text::word(&*flag));
@@ -175,7 +172,7 @@ impl<'m> Flags<'m> {
             let acts = match setters.get(&qualifier) {
                 Some(Some(by)) => vec![term, Text::order(format!("{by} = {}", caller.number))],
                 Some(None) => vec![term],
-                None if matches!(qualifier, Qualifier::N | Qualifier::P) => vec![caller.on.clone()],
+                None if qualifier.drives_q_at_once() => vec![caller.on.clone()],
                 None => vec![caller.on.clone(), term],
             };
             branches.push((all(acts).text, vec![Statement::assign(&*called.by, caller.number.to_string())]));
@@ -192,7 +189,7 @@ impl<'m> Flags<'m> {
         done: &mut Vec<Statement>,
     ) -> BTreeMap<Qualifier, Option<String>> {
         let mut setters = BTreeMap::new();
-        for qualifier in [Qualifier::S, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl] {
+        for qualifier in Qualifier::ALL.into_iter().filter(|qualifier| qualifier.has_flip_flop()) {
             let with: Vec<&Caller<'_>> = called.with(qualifier).collect();
             if with.len() < 2 {
                 setters.extend(with.first().map(|_| (qualifier, None)));
@@ -206,7 +203,7 @@ impl<'m> Flags<'m> {
             let chosen = Statement::If(with.iter().rev().map(set).collect(), Vec::new());
             // DS sets its flip-flop when its delay is over.
             done.push(match &driven.delayed {
-                Some(over) if qualifier == Qualifier::Ds => Statement::when(&*over.text, vec![chosen]),
+                Some(over) if qualifier.stores_when_time_is_over() => Statement::when(&*over.text, vec![chosen]),
                 _ => chosen,
             });
             setters.insert(qualifier, Some(by));
@@ -291,7 +288,7 @@ impl<'m> Flags<'m> {
                         break;
                     }
                 }
-                (qualifier, Some([runs, _])) if drives(qualifier) => {
+                (qualifier, Some([runs, _])) if qualifier.drives_q() => {
                     let acts = Text::order(format!("{} = {}", called.by, caller.number));
                     who.push((all(vec![runs.clone(), acts]).text, caller));
                 }

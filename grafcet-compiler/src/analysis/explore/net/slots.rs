@@ -193,11 +193,8 @@ impl<'m> Writers<'m> {
 }
 
 fn fits_grafcet(association: &Association) -> bool {
-    match association.qualifier {
-        Qualifier::S | Qualifier::R => matches!(association.effect, Effect::Control(_)),
-        Qualifier::P1 | Qualifier::P0 | Qualifier::On => !matches!(association.effect, Effect::Control(_)),
-        _ => false,
-    }
+    let is_control = matches!(association.effect, Effect::Control(_));
+    association.qualifier.sets_or_resets() && is_control || association.qualifier.runs_once() && !is_control
 }
 
 fn fits_sfc(association: &Association, place: Place) -> bool {

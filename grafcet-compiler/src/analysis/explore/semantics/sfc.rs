@@ -94,14 +94,16 @@ fn act(valuation: &mut Valuation<'_>, change: &Change) {
                 runs.push((Moment::Rest, by[0].position, effect));
             }
             Target::Own(action) => {
+                use Qualifier::{D, Ds, L, N, On, P, P0, P1, R, S, Sd, Sl};
                 let on = is_on(valuation, change, action);
                 let moment = match action.qualifier {
-                    Qualifier::P0 if on => Moment::Leaving,
-                    Qualifier::P1 if on => Moment::Entering,
-                    Qualifier::N if on => Moment::Rest,
+                    P0 if on => Moment::Leaving,
+                    P1 if on => Moment::Entering,
+                    N if on => Moment::Rest,
                     // The final scan.
-                    Qualifier::N if action.is_of(&change.before) => Moment::Leaving,
-                    _ => continue,
+                    N if action.is_of(&change.before) => Moment::Leaving,
+                    // What runs under others is not followed.
+                    N | P1 | P0 | S | R | L | D | P | Sd | Ds | Sl | On => continue,
                 };
                 runs.push((moment, action.position, Effect::Run(&action.program)));
             }
@@ -148,17 +150,19 @@ fn control(valuation: &mut Valuation<'_>, change: &Change, (slot, timed): (usize
     if by.iter().all(|action| action.qualifier.sets_or_resets()) {
         return kept(valuation.now.slots[slot], on.contains(&Qualifier::S), reset);
     }
-    let mut q = Bit::from(on.contains(&Qualifier::N) || on.contains(&Qualifier::P));
+    let mut q = Bit::from(on.iter().any(|qualifier| qualifier.drives_q_at_once()));
     for (qualifier, flip_flop) in &timed.flip_flops {
-        let set = on.contains(qualifier) && (*qualifier != Qualifier::Ds || has_come(valuation, timed, Qualifier::Ds));
+        let set =
+            on.contains(qualifier) && (!qualifier.stores_when_time_is_over() || has_come(valuation, timed, *qualifier));
         let stays = kept(valuation.now.slots[*flip_flop], set, reset);
         valuation.now.slots[*flip_flop] = stays;
-        let late = matches!(qualifier, Qualifier::Sd | Qualifier::Sl);
+        let late = qualifier.times_its_flip_flop();
         if stays != Bit::False && (!late || has_come(valuation, timed, *qualifier)) && q != Bit::True {
             q = stays;
         }
     }
-    for qualifier in [Qualifier::L, Qualifier::D] {
+    let timed_alone = |qualifier: &Qualifier| qualifier.shows_with_its_step() && qualifier.has_time();
+    for qualifier in Qualifier::ALL.into_iter().filter(timed_alone) {
         if on.contains(&qualifier) && has_come(valuation, timed, qualifier) {
             q = Bit::True;
         }

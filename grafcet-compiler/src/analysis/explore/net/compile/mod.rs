@@ -248,7 +248,7 @@ impl<'m> Compiler<'m> {
             let mut asserts = self.formula(&active);
             if let Some(time) = association.time {
                 let elapsed = self.formula(&Tree::Elapsed(time, association.step));
-                let limit = association.qualifier == Qualifier::L;
+                let limit = association.qualifier.limits();
                 asserts = asserts.and(if limit { elapsed.negate() } else { elapsed });
             }
             if let Some(condition) = &association.condition {
