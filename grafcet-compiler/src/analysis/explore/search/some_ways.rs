@@ -8,7 +8,7 @@
 use std::rc::Rc;
 
 use super::Search;
-use super::graph::{Cycle, Graph, Seen};
+use super::graph::{Graph, Seen};
 use super::leaf::Leaf;
 use super::reduction;
 use crate::analysis::explore::net::Net;
@@ -303,19 +303,7 @@ impl Search<'_, '_> {
 impl Report<'_> {
     /// The transition on the way to a state with which a convergence was lost: until then arrows led to all its sources.
     fn parting(&self, state: usize, join: TransitionId) -> Option<TransitionId> {
-        let mut at = state;
-        while let Some(origin) = &self.graph.origins[at] {
-            if self.leads_to(&self.graph.states[origin.from].active, join) {
-                let apart = |t: &&TransitionId| {
-                    let arc = &self.net.arcs[**t];
-                    !arc.targets.iter().any(|target| self.net.arcs[join].sources.contains(target))
-                };
-                let Cycle { cleared, .. } = &origin.cycle;
-                return cleared.iter().find(apart).or(cleared.first()).copied();
-            }
-            at = origin.from;
-        }
-        None
+        self.parted_by(state, join, &|before| self.leads_to(&self.graph.states[before].active, join))
     }
 
     /// Whether arrows lead from the active steps to all sources of a convergence, not by itself.

@@ -182,9 +182,20 @@ impl Report<'_> {
 
     /// The transition on the way to a state with which the convergence became impossible.
     fn culprit(&self, future: &Future, state: usize, join: TransitionId) -> Option<TransitionId> {
+        self.parted_by(state, join, &|before| future.enables(before, join))
+    }
+
+    /// The transition on the way to a state that parted it from the last one in front of it with which it `was` possible; rather one
+    /// that does not lead to the convergence.
+    pub(crate) fn parted_by(
+        &self,
+        state: usize,
+        join: TransitionId,
+        was: &dyn Fn(usize) -> bool,
+    ) -> Option<TransitionId> {
         let mut at = state;
         while let Some(origin) = &self.graph.origins[at] {
-            if future.enables(origin.from, join) {
+            if was(origin.from) {
                 let apart = |t: &&TransitionId| {
                     let arc = &self.net.arcs[**t];
                     !arc.targets.iter().any(|target| self.net.arcs[join].sources.contains(target))
