@@ -87,7 +87,7 @@ impl Walk<'_> {
                 self.tree(b, &Kind::Bool);
             }
             Tree::Binary(operator, a, b) => {
-                let other = if compares(*operator) { NUMBER } else { wanted.clone() };
+                let other = if operator.is_comparison() { NUMBER } else { wanted.clone() };
                 let of = self.kind(a).or_else(|| self.kind(b)).unwrap_or(other);
                 self.tree(a, &of);
                 self.tree(b, &of);
@@ -119,7 +119,7 @@ impl Walk<'_> {
             Tree::Int(_) => None,
             Tree::Read(read) => Some(self.kind_of_read(*read)),
             Tree::Unary(_, of) => self.kind(of),
-            Tree::Binary(operator, a, b) if !compares(*operator) => self.kind(a).or_else(|| self.kind(b)),
+            Tree::Binary(operator, a, b) if !operator.is_comparison() => self.kind(a).or_else(|| self.kind(b)),
             Tree::Bool(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) | Tree::Binary(..) => Some(Kind::Bool),
             Tree::Opaque { text, .. } if !is_literal(text) => None,
             Tree::Opaque { text, .. } if text.starts_with(|c: char| c.is_ascii_digit()) => Some(Kind::Float(64)),
@@ -134,10 +134,6 @@ impl Walk<'_> {
             _ => Kind::Bool,
         }
     }
-}
-
-fn compares(operator: Binary) -> bool {
-    matches!(operator, Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge)
 }
 
 /// A number of which nothing more is known.

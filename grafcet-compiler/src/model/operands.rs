@@ -47,6 +47,12 @@ impl Binary {
         }
     }
 
+    /// Whether its value is a boolean that tells how its operands compare.
+    #[must_use]
+    pub const fn is_comparison(self) -> bool {
+        self.binds() == binds::COMPARISON
+    }
+
     /// How closely it binds.
     pub(crate) const fn binds(self) -> u8 {
         match self {
@@ -65,7 +71,7 @@ impl Binary {
     /// How closely its operands have to bind. Operators from the left, comparisons not in a row.
     const fn operands(self) -> (u8, u8) {
         let binds = self.binds();
-        let left = if binds == binds::COMPARISON { binds + 1 } else { binds };
+        let left = if self.is_comparison() { binds + 1 } else { binds };
         (left, binds + 1)
     }
 }
@@ -284,6 +290,18 @@ mod tests {
         assert_eq!(written(&sum), both("(a << b) + c", "(a << b) + c"));
         let sum = two(Binary::Sub, two(Binary::Sub, a, b), one(Unary::Not, c));
         assert_eq!(written(&sum), both("a - b - !c", "(a - b) - !c"));
+    }
+
+    #[test]
+    fn comparisons() {
+        let mut compare = ALL.to_vec();
+        compare.retain(|operator| operator.is_comparison());
+        assert_eq!(compare, [Binary::Eq, Binary::Ne, Binary::Lt, Binary::Le, Binary::Gt, Binary::Ge]);
+        // What compares is mirrored, and mirrored twice the same.
+        for operator in ALL {
+            assert_eq!(operator.mirrored().mirrored(), operator);
+            assert_eq!(operator.mirrored().is_comparison(), operator.is_comparison());
+        }
     }
 
     #[test]

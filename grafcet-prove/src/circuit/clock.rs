@@ -6,7 +6,7 @@
 //! What blinks asks how far a period is. So of all that is longer as much is told apart as the periods tell apart: with a common multiple of
 //! theirs above the longest constant, each longer time has one that is as far in each of them.
 
-use grafcet_compiler::model::{Binary, Model, Name, Read, Tree, Ty};
+use grafcet_compiler::model::{Model, Name, Read, Tree, Ty};
 use grafcet_compiler::program::{Expr, Program, Role, Run, Statement, Type, Value};
 
 /// The bits of a time.
@@ -145,7 +145,7 @@ impl Scan<'_, '_> {
             Tree::Binary(operator, a, b) => match (&**a, &**b) {
                 (Tree::Read(read), Tree::Read(Read::Ticks(ticks)))
                 | (Tree::Read(Read::Ticks(ticks)), Tree::Read(read))
-                    if is_comparison(*operator) && is_time(self.program.model, *read) =>
+                    if operator.is_comparison() && is_time(self.program.model, *read) =>
                 {
                     self.longest = self.longest.max(*ticks);
                 }
@@ -173,8 +173,4 @@ fn is_time(model: &Model, read: Read) -> bool {
         Read::Name(name @ (Name::Input(_) | Name::Output(_) | Name::Var(_) | Name::Param(_))) => model.is_time(name),
         _ => false,
     }
-}
-
-fn is_comparison(operator: Binary) -> bool {
-    matches!(operator, Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge)
 }

@@ -97,15 +97,15 @@ impl Lowering<'_, '_> {
                 let a = self.free_number(*id, *width)?;
                 self.binary(operator, &a, b)
             }
-            (Sym::Int(_, None), Sym::Free(id)) if compares(operator) => {
+            (Sym::Int(_, None), Sym::Free(id)) if operator.is_comparison() => {
                 let b = self.some_number(*id)?;
                 self.binary(operator, a, &b)
             }
-            (Sym::Free(id), Sym::Int(_, None)) if compares(operator) => {
+            (Sym::Free(id), Sym::Int(_, None)) if operator.is_comparison() => {
                 let a = self.some_number(*id)?;
                 self.binary(operator, &a, b)
             }
-            (Sym::Free(id), Sym::Free(other)) if compares(operator) && id != other => {
+            (Sym::Free(id), Sym::Free(other)) if operator.is_comparison() && id != other => {
                 let width = self.known_number(*id).or_else(|| self.known_number(*other));
                 let Some(width) = width else {
                     return Ok(self.made(&format!("{operator:?}"), vec![a.clone(), b.clone()]));
@@ -373,10 +373,6 @@ fn is_constant(text: &str) -> bool {
     let last = text.rsplit("::").next().unwrap_or_default().trim();
     let capital = last.len() > 1 && last.starts_with(char::is_uppercase) && !last.contains(char::is_lowercase);
     capital && text.split("::").all(|word| is_word(word.trim()))
-}
-
-fn compares(operator: Binary) -> bool {
-    matches!(operator, Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge)
 }
 
 /// What meets an integer in it is one of the same type. Others may be multiplied with one, or divide it, as durations do; a shift has its own.

@@ -29,7 +29,7 @@ impl Reader<'_> {
                     _ => Formula::Same(Box::new(a), Box::new(b)).not(),
                 }
             }
-            Tree::Binary(operator, a, b) if is_comparison(*operator) => self.compare(*operator, a, b),
+            Tree::Binary(operator, a, b) if operator.is_comparison() => self.compare(*operator, a, b),
             // When it does so is not known, but it only shines while its step is active.
             Tree::Read(Read::Blink(blink)) => self.read(blink.of.active()).and(self.read(Read::Blink(*blink))),
             other => Formula::is_true(self.atoms.boolean(other)),
@@ -64,7 +64,7 @@ impl Reader<'_> {
         match (of(a), of(b)) {
             (Some(a), Some(b)) => Formula::Const(holds(operator, a, b)),
             (None, Some(value)) if sort.is_some() => self.with_constant(operator, a, value),
-            (Some(value), None) if sort.is_some() => self.with_constant(flipped(operator), b, value),
+            (Some(value), None) if sort.is_some() => self.with_constant(operator.mirrored(), b, value),
             _ => match sort {
                 Some(sort) => self.with_another(operator, a, b, sort == Sort::Total),
                 // What the comparisons of such a type have to do with each other is up to its author.
@@ -93,7 +93,7 @@ impl Reader<'_> {
         if a == b && total {
             return Formula::Const(holds(operator, 0, 0));
         }
-        let (operator, a, b) = if a <= b { (operator, a, b) } else { (flipped(operator), b, a) };
+        let (operator, a, b) = if a <= b { (operator, a, b) } else { (operator.mirrored(), b, a) };
         let atom = self.atoms.order(a, b, total);
         let (low, high) = match operator {
             Binary::Lt => (-1, -1),
@@ -128,7 +128,7 @@ impl Reader<'_> {
             Tree::Binary(Binary::BitAnd | Binary::BitOr | Binary::BitXor, a, b) => {
                 self.is_boolean(a) && self.is_boolean(b)
             }
-            Tree::Binary(operator, ..) => is_comparison(*operator),
+            Tree::Binary(operator, ..) => operator.is_comparison(),
             Tree::Int(_) | Tree::Opaque { .. } => false,
         }
     }
@@ -141,21 +141,6 @@ pub(super) fn is_constant(tree: &Tree) -> bool {
         constant &= matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_));
     });
     constant
-}
-
-fn is_comparison(operator: Binary) -> bool {
-    matches!(operator, Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge)
-}
-
-/// `a < b` is `b > a`.
-fn flipped(operator: Binary) -> Binary {
-    match operator {
-        Binary::Lt => Binary::Gt,
-        Binary::Le => Binary::Ge,
-        Binary::Gt => Binary::Lt,
-        Binary::Ge => Binary::Le,
-        other => other,
-    }
 }
 
 fn holds(operator: Binary, a: i128, b: i128) -> bool {

@@ -15,7 +15,7 @@ impl Compiler<'_> {
     /// number at all (NaN) lies beyond all of them, and only `!=` holds of it.
     pub(super) fn float_comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
         let Some(Sort::Float(float)) = common(self.model, a, b) else { return None };
-        let flipped = flipped(operator)?;
+        let flipped = operator.is_comparison().then(|| operator.mirrored())?;
         let (atom, operator, bound) = match (float_constant(a, float), float_constant(b, float)) {
             (None, Some(bound)) => (self.float(a), operator, bound),
             (Some(bound), None) => (self.float(b), flipped, bound),
@@ -44,7 +44,7 @@ impl Compiler<'_> {
 
     /// A comparison of a number with a constant, or of two numbers, of which it matters how far one lies above the other.
     pub(super) fn comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
-        let flipped = flipped(operator)?;
+        let flipped = operator.is_comparison().then(|| operator.mirrored())?;
         let (number, operator, bound) = match (constant(a), constant(b)) {
             (Some(a), Some(b)) => return Some(Formula::Const(compare(operator, a, b))),
             (None, Some(bound)) => (self.number(a)?, operator, bound),
@@ -126,18 +126,6 @@ impl Compiler<'_> {
         self.differences_of.insert(pair, atom);
         atom
     }
-}
-
-/// `a < b` is `b > a`; none where it is no comparison.
-fn flipped(operator: Binary) -> Option<Binary> {
-    Some(match operator {
-        Binary::Eq | Binary::Ne => operator,
-        Binary::Lt => Binary::Gt,
-        Binary::Le => Binary::Ge,
-        Binary::Gt => Binary::Lt,
-        Binary::Ge => Binary::Le,
-        _ => return None,
-    })
 }
 
 fn compare(operator: Binary, a: i128, b: i128) -> bool {
