@@ -8,6 +8,14 @@ use syn::parse::{Parse, ParseStream};
 use syn::visit_mut::{self, VisitMut};
 use syn::{Arm, Block, Expr, FieldValue, Item, Local, Macro, Pat, PatIdent, Stmt, Token};
 
+/// An expression without the parentheses around it.
+pub(crate) fn without_parens(expr: &Expr) -> &Expr {
+    match expr {
+        Expr::Paren(paren) => without_parens(&paren.expr),
+        other => other,
+    }
+}
+
 /// Who walks.
 pub(crate) trait Visit {
     /// Comes to an expression; [`inside`] goes on in it.

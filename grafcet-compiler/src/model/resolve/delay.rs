@@ -9,6 +9,7 @@ use super::habits;
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
 use crate::model::{Delay, Expr, Read, TimeRef, Tree, placeholder};
+use crate::visit::without_parens;
 
 /// What stands between the slashes.
 pub(super) struct DelayParts {
@@ -75,7 +76,7 @@ impl Lower<'_, '_> {
             None => {
                 let name = single_name(&division.left)?;
                 if self.is_step(&division.right) && self.is_value(&name) {
-                    self.resolver.not_waited_for(&name, Some(&super::text::of(without_parentheses(&division.right))));
+                    self.resolver.not_waited_for(&name, Some(&super::text::of(without_parens(&division.right))));
                     return Some(DelayParts {
                         on: TimeRef::Ticks(0),
                         of: (*division.right).clone(),
@@ -111,7 +112,7 @@ impl Lower<'_, '_> {
     }
 
     fn is_step(&self, expr: &syn::Expr) -> bool {
-        let name = step_path(without_parentheses(expr)).and_then(|path| path.last().cloned());
+        let name = step_path(without_parens(expr)).and_then(|path| path.last().cloned());
         let meaning = name.filter(|name| !self.locals.contains(name)).and_then(|name| self.resolver.scope.get(&name));
         matches!(meaning, Some(Meaning::Step(_) | Meaning::Macro(_)))
     }
@@ -159,7 +160,7 @@ impl Lower<'_, '_> {
 
     /// `Step` or `Partial::Step` after the first `/`; what else it may be is an expression.
     fn delayed_step(&self, of: &syn::Expr) -> Option<Vec<Ident>> {
-        let of = without_parentheses(of);
+        let of = without_parens(of);
         let meaning = |name: &Ident| self.resolver.scope.get(name);
         let is_step = |name: &Ident| matches!(meaning(name), Some(Meaning::Step(_) | Meaning::Macro(_)));
         let path = step_path(of)?;
@@ -173,7 +174,7 @@ impl Lower<'_, '_> {
 
     /// `Step` of `5s/Step.T`
     fn delayed_time(&self, of: &syn::Expr) -> Option<String> {
-        match without_parentheses(of) {
+        match without_parens(of) {
             syn::Expr::Field(field) => habits::time_of_step(field, self.resolver),
             _ => None,
         }
@@ -202,13 +203,6 @@ impl Lower<'_, '_> {
             (Tree::Int(_), time) if since(time) => self.resolver.no_unit(&binary.left),
             _ => {}
         }
-    }
-}
-
-fn without_parentheses(expr: &syn::Expr) -> &syn::Expr {
-    match expr {
-        syn::Expr::Paren(paren) => without_parentheses(&paren.expr),
-        other => other,
     }
 }
 

@@ -8,6 +8,7 @@ use crate::model::{AnyId, Id, Transition, TransitionId};
 use crate::program::build::{all, any, not, yes};
 use crate::program::{Expr, Statement};
 use crate::sorted::Set;
+use crate::visit::without_parens;
 
 impl<'m> Lower<'_, 'm> {
     /// All transitions in source order, those of `any` first.
@@ -99,12 +100,5 @@ impl<'m> Lower<'_, 'm> {
     pub(super) fn any_cleared(&self, id: AnyId) -> Expr<'m> {
         let of = self.model.transitions.iter().filter(|(_, transition)| transition.any == Some(id));
         any(of.map(|(transition, _)| Expr::Place(self.clears[transition.index()])).list())
-    }
-}
-
-fn without_parens(expr: &syn::Expr) -> &syn::Expr {
-    match expr {
-        syn::Expr::Paren(paren) => without_parens(&paren.expr),
-        other => other,
     }
 }
