@@ -38,8 +38,10 @@ struct Uses {
 pub(super) fn check(model: &Model, concurrency: &Concurrency, mixed: &Set<Place>, sink: &mut Sink) {
     let is_mixed = |stored: &Stored| matches!(stored, Stored::Place(place) if mixed.contains(place));
     for (stored, uses) in collect(model).into_iter().filter(|(stored, _)| !is_mixed(stored)) {
-        let (name, levels, starts_true) = match stored {
-            Stored::Place(place) => (model.place_name(place), model.levels_of_place(place), starts_true(model, place)),
+        let (name, levels, may_start_true) = match stored {
+            Stored::Place(place) => {
+                (model.place_name(place), model.levels_of_place(place), model.may_start_true(place))
+            }
             Stored::Action(id) => (&model.actions[id].name, &model.actions[id].levels[..], false),
         };
         if uses.unknown {
@@ -58,7 +60,7 @@ pub(super) fn check(model: &Model, concurrency: &Concurrency, mixed: &Set<Place>
             report(model, &rules::SET_WITHOUT_RESET, levels, &uses.sets, message, sink);
         }
         let meets = |step: StepId| uses.shows.iter().any(|other| *other == step || concurrency.together(*other, step));
-        if uses.sets.is_empty() && !starts_true && !uses.resets.iter().any(|write| meets(write.step)) {
+        if uses.sets.is_empty() && !may_start_true && !uses.resets.iter().any(|write| meets(write.step)) {
             let message = |write: &Write| {
                 let set = if write.is_assignment { format!("P1 {name} = true") } else { format!("S {name}") };
                 format!(
@@ -156,12 +158,4 @@ fn statement(all: &mut Map<Stored, Uses>, statement: &Statement, association: &A
 
 fn is_bool(model: &Model, place: Place) -> bool {
     matches!(model.place_ty(place), Ty::Bool(_))
-}
-
-fn starts_true(model: &Model, place: Place) -> bool {
-    let init = match place {
-        Place::Output(id) => model.outputs[id].init.as_ref(),
-        Place::Var(id) => model.vars[id].init.as_ref(),
-    };
-    init.is_some_and(|init| !matches!(init.tree, Tree::Bool(false)))
 }

@@ -3,7 +3,7 @@
 use quote::ToTokens;
 
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier, Tree, Ty};
+use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier, Ty};
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     for association in model.associations.values() {
@@ -25,7 +25,7 @@ pub(super) fn mistake(model: &Model, association: &Association) -> Option<(Mark,
         Effect::Control(place) if !may_be_bool(model.place_ty(*place)) => {
             Some((pair, not_bool(model, association.qualifier, *place)))
         }
-        Effect::Control(place) if starts_true(model, *place) && association.qualifier.shows_with_its_step() => {
+        Effect::Control(place) if model.starts_true(*place) && association.qualifier.shows_with_its_step() => {
             let name = model.place_name(*place);
             let message = format!(
                 "`{name}` starts as `true`, so an action that makes it true while a step is active cannot be seen; \
@@ -98,14 +98,6 @@ pub(super) fn text_of(ty: &Ty) -> String {
 fn written(ty: &syn::Type) -> String {
     let text = ty.to_token_stream().to_string();
     [" < ", " >", " ;", " :: "].into_iter().fold(text, |text, wide| text.replace(wide, wide.trim()))
-}
-
-fn starts_true(model: &Model, place: Place) -> bool {
-    let init = match place {
-        Place::Output(id) => model.outputs[id].init.as_ref(),
-        Place::Var(id) => model.vars[id].init.as_ref(),
-    };
-    init.is_some_and(|init| init.tree == Tree::Bool(true))
 }
 
 /// A bare boolean after a qualifier that runs something once.

@@ -4,6 +4,7 @@
 
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
+mod begins;
 mod endless;
 mod expr;
 mod ids;

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Effect, Expr, Id, Model, Place, Qualifier, Read, StepId, Transition, Tree};
+use grafcet_compiler::model::{Association, Effect, Expr, Id, Model, Place, Qualifier, Read, StepId, Transition};
 
 use super::{Action, Block};
 use crate::Refused;
@@ -247,11 +247,7 @@ fn style(model: &Model, place: Place) -> Result<Style, Refused> {
     }
     let is_of = |qualifiers: &[Qualifier]| all.iter().all(|association| qualifiers.contains(&association.qualifier));
     let stored = is_of(&[Qualifier::S, Qualifier::R]);
-    let begins = match place {
-        Place::Output(id) => model.outputs[id].init.as_ref(),
-        Place::Var(id) => model.vars[id].init.as_ref(),
-    };
-    let begins = begins.is_some_and(|init| init.tree != Tree::Bool(false));
+    let begins = model.may_start_true(place);
     let conditional = all.iter().find(|association| association.condition.is_some());
     match conditional {
         None if !begins && is_of(&[Qualifier::N]) && overlap(model, &all) => Ok(Style::Conditions),

@@ -29,11 +29,7 @@ pub(super) fn is_set(model: &Model, place: Place, q: Qualifier, steps: &Situatio
         .values()
         .filter(|one| matches!(&one.effect, Effect::Control(at) if *at == place))
         .all(|one| one.qualifier.sets_or_resets());
-    let init = match place {
-        Place::Output(id) => model.outputs[id].init.as_ref(),
-        Place::Var(id) => model.vars[id].init.as_ref(),
-    };
-    let begins = q == Qualifier::S && only && init.is_some_and(|init| init.tree == Tree::Bool(true));
+    let begins = q == Qualifier::S && only && model.starts_true(place);
     match known(model, Value::Bool(begins), steps, &enter)? {
         Value::Bool(set) => Some(set),
         _ => None,

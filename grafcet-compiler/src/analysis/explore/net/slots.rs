@@ -61,11 +61,7 @@ impl Slots {
 }
 
 fn initial(model: &Model, place: Place) -> Bit {
-    let init = match place {
-        Place::Var(id) => &model.vars[id].init,
-        Place::Output(id) => &model.outputs[id].init,
-    };
-    match init.as_ref().map(|init| &init.tree) {
+    match model.init_of(place).map(|init| &init.tree) {
         None => Bit::False,
         Some(Tree::Bool(value)) => Bit::from(*value),
         Some(_) => Bit::Any,
