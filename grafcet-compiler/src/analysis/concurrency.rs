@@ -191,7 +191,7 @@ impl<'m> Search<'m> {
         let steps = &self.model.partials[partial].steps;
         let pick = |wanted: &dyn Fn(StepId) -> bool| steps.iter().copied().filter(|s| wanted(*s)).list();
         let mut groups = vec![pick(&|s| self.model.steps[s].initial), pick(&|s| self.model.steps[s].linked)];
-        for force in self.model.forces.values().filter(|f| f.target == partial) {
+        for force in self.model.orders_on(partial) {
             if let ForceOrder::Steps(forced) = &force.order {
                 groups.push(forced.clone());
             }

@@ -48,8 +48,8 @@ impl<'m> Dead<'m> {
                 && !said.contains(&id)
                 && sources.iter().all(|source| self.exploration.reachable(*source))
         };
-        let mut leading = self.model.transitions.iter().filter(|(_, transition)| transition.targets.contains(&step));
-        leading.find(|(id, _)| open(*id)).map(|(_, transition)| transition)
+        let first = self.model.entering[step.index()].iter().find(|id| open(**id));
+        first.map(|id| &self.model.transitions[*id])
     }
 
     /// The idle transitions that only wait for steps to which other dead ones lead, `said` among them.
@@ -137,14 +137,13 @@ impl<'m> Dead<'m> {
     }
 
     fn step_follows(&self, step: StepId, explained: &Explained) -> bool {
-        let entering = self.model.transitions.iter().filter(|(_, transition)| transition.targets.contains(&step));
-        let around = self.model.partials[self.model.steps[step].partial].enclosed_by;
-        let forced = |force: &crate::model::Force| force.target == self.model.steps[step].partial;
+        let partial = self.model.steps[step].partial;
+        let around = self.model.partials[partial].enclosed_by;
         around.is_some_and(|outer| explained.steps.contains(&outer))
-            || self.model.forces.values().any(|force| forced(force) && explained.steps.contains(&force.step))
-            || entering.into_iter().any(|(id, transition)| {
-                explained.transitions.contains(&id)
-                    || transition.sources.iter().any(|source| explained.steps.contains(source))
+            || self.model.orders_on(partial).any(|force| explained.steps.contains(&force.step))
+            || self.model.entering[step.index()].iter().any(|id| {
+                explained.transitions.contains(id)
+                    || self.model.transitions[*id].sources.iter().any(|source| explained.steps.contains(source))
             })
     }
 

@@ -23,7 +23,7 @@ pub fn top_down(model: &Model) -> Vec<PartialId> {
 #[must_use]
 pub fn masters(model: &Model, partial: PartialId) -> Vec<PartialId> {
     let enclosing = model.partials[partial].enclosed_by.into_iter();
-    let forcing = model.forces.values().filter(|force| force.target == partial).map(|force| force.step);
+    let forcing = model.orders_on(partial).map(|force| force.step);
     enclosing.and(forcing).map(|step| model.steps[step].partial).list()
 }
 
@@ -38,7 +38,7 @@ pub fn initial_situation(model: &Model) -> Set<StepId> {
         let steps = |wanted: fn(&crate::model::Step) -> bool| {
             partial.steps.iter().copied().filter(|step| wanted(&model.steps[*step])).list()
         };
-        let order = model.forces.values().find(|force| force.target == id && active.contains(&force.step));
+        let order = model.orders_on(id).find(|force| active.contains(&force.step));
         match (order.map(|force| &force.order), partial.enclosed_by) {
             (Some(ForceOrder::Steps(situation)), _) => {
                 active.extend(situation.iter().copied());

@@ -64,7 +64,7 @@ fn is_started_elsewhere(model: &Model, id: PartialId) -> bool {
         ForceOrder::Init => true,
         ForceOrder::Hold => false,
     };
-    let forced = model.forces.values().any(|force| force.target == id && starts(&force.order));
+    let forced = model.orders_on(id).any(|force| starts(&force.order));
     let source = partial.transitions.iter().any(|t| model.transitions[*t].sources.is_empty());
     holds_others || partial.enclosed_by.is_some() || forced || source && model.dialect == Dialect::Grafcet
 }

@@ -9,7 +9,7 @@ use crate::analysis::explore::{Exploration, Stay, StuckJoin};
 use crate::analysis::{Concurrency, Dead, Explained};
 use crate::diagnostic::{Mark, Rule, Severity, Sink, rules};
 use crate::list::List;
-use crate::model::{Blinker, Dialect, Model, Step, StepId, Transition, TransitionId};
+use crate::model::{Blinker, Dialect, Id, Model, Step, StepId, Transition, TransitionId};
 use crate::sorted::Set;
 
 /// `said` are the transitions of which it has been said that they never clear; `structure` is that of independent partial grafcets.
@@ -94,7 +94,7 @@ pub(super) fn dead_transition(model: &Model, exploration: &Exploration, id: Tran
 
 fn unreachable(model: &Model, id: StepId) -> String {
     let name = &model.steps[id].name;
-    let mut arcs = model.transitions.values().filter(|transition| transition.targets.contains(&id));
+    let mut arcs = model.entering[id.index()].iter().map(|arc| &model.transitions[*arc]);
     match arcs.find(|transition| transition.sources != [id]) {
         None => format!(
             "step `{name}` is never active: no transition leads to it; draw one, `… -[x]-> {name}`, or delete the step"

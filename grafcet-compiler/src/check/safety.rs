@@ -7,7 +7,7 @@
 use crate::analysis::explore::{Activation, Exploration, Meeting, Parting};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::{List, PushAll};
-use crate::model::{Model, StepId, TransitionId};
+use crate::model::{Id, Model, StepId, TransitionId};
 use crate::sorted::{Map, Set};
 
 /// Returns the transitions by which two ways part that an error tells of.
@@ -95,6 +95,5 @@ fn divergence(model: &Model, meeting: &Meeting) -> Option<StepId> {
         Parting::Source => return None,
     };
     let [step] = from[..] else { return None };
-    let leaving = model.transitions.values().filter(|transition| transition.sources.contains(&step));
-    (leaving.count() > 1).then_some(step)
+    (model.leaving[step.index()].len() > 1).then_some(step)
 }

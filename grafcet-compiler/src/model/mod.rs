@@ -9,6 +9,7 @@ mod endless;
 mod expr;
 mod ids;
 pub(crate) mod operands;
+mod orders;
 pub mod placeholder;
 mod plants;
 mod queries;
@@ -295,6 +296,8 @@ pub struct Partial {
     /// Its steps in the order of declaration, those of macro-steps' expansions included, those of enclosures inside not.
     pub steps: Vec<StepId>,
     pub transitions: Vec<TransitionId>,
+    /// The orders that force it, in source order.
+    pub forced_by: Vec<ForceId>,
 }
 
 /// A step.

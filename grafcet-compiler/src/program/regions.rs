@@ -82,7 +82,7 @@ impl Regions {
     fn may_become_empty(&self, model: &Model, region: RegionId) -> bool {
         let here = |step: &StepId| self.of_step(*step) == region;
         let partial = self.list[region].partial;
-        let forced = model.forces.values().any(|f| f.target == partial && f.order != ForceOrder::Hold);
+        let forced = model.orders_on(partial).any(|force| force.order != ForceOrder::Hold);
         self.list[region].initial.is_none()
             || forced
             || model.partials[partial].enclosed_by.is_some()

@@ -27,7 +27,7 @@ fn visit(id: PartialId, model: &Model, order: &mut Vec<PartialId>, path: &mut Ve
     }
     path.push(id);
     let enclosing = model.partials[id].enclosed_by.into_iter();
-    let forcing = model.forces.values().filter(|force| force.target == id).map(|force| force.step);
+    let forcing = model.orders_on(id).map(|force| force.step);
     for step in enclosing.chain(forcing) {
         visit(model.steps[step].partial, model, order, path)?;
     }

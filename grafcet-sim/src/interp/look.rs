@@ -111,7 +111,7 @@ impl Look<'_> {
     /// The active step that forces a partial grafcet.
     #[must_use]
     pub fn forced_by(&self, id: PartialId) -> Option<StepId> {
-        let gives = self.model.forces.values().filter(|force| force.target == id);
+        let gives = self.model.orders_on(id);
         gives.map(|force| force.step).rfind(|step| self.state.situation.contains(step))
     }
 

@@ -229,9 +229,8 @@ impl<'m> Circles<'m> {
     /// The first situation of the whole chart; there is no edge in it (A26).
     fn start(&self) -> Node {
         let commanded = |step: &StepId| {
-            let partial = self.model.steps[*step].partial;
-            self.model.partials[partial].enclosed_by.is_some()
-                || self.model.forces.values().any(|force| force.target == partial)
+            let partial = &self.model.partials[self.model.steps[*step].partial];
+            partial.enclosed_by.is_some() || !partial.forced_by.is_empty()
         };
         let active: Set<StepId> =
             hierarchy::initial_situation(self.model).into_iter().filter(|step| !commanded(step)).collect();

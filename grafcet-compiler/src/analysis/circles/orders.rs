@@ -22,7 +22,7 @@ impl Circles<'_> {
                 open.push(self.model.steps[outer].partial);
                 commanding.extend(&self.model.leaving[outer.index()]);
             }
-            for force in self.model.forces.values().filter(|force| force.target == partial) {
+            for force in self.model.orders_on(partial) {
                 let master = &self.model.steps[force.step];
                 if master.linked || self.is_forced(force.step) {
                     return false;

@@ -15,7 +15,7 @@ const LOOKED_AT: usize = 600;
 impl Circles<'_> {
     /// The steps in which a search can come to rest, found by following all of them; `None` where that is too much.
     pub(super) fn resting(&self) -> Option<Set<StepId>> {
-        let is_target = |partial: PartialId| self.model.forces.values().any(|force| force.target == partial);
+        let is_target = |partial: PartialId| !self.model.partials[partial].forced_by.is_empty();
         let commanded = |id: &StepId| {
             let step = &self.model.steps[*id];
             step.linked || step.initial && is_target(step.partial) || self.is_forced(*id)

@@ -273,7 +273,7 @@ fn is_never_empty(model: &Model, id: PartialId) -> bool {
     partial.enclosed_by.is_none()
         && partial.steps.iter().any(|step| model.steps[*step].initial)
         && partial.transitions.iter().all(|transition| !model.transitions[*transition].targets.is_empty())
-        && !model.forces.values().any(|force| force.target == id)
+        && partial.forced_by.is_empty()
 }
 
 /// Of two delays of one expression the longer one comes later, and both end with it.

@@ -73,7 +73,7 @@ impl Chart {
                 let linked = partial.steps.iter().filter(|step| model.steps[**step].linked);
                 chart.links[outer.index()].push_all(linked.map(|step| step.index()));
             }
-            for force in model.forces.values().filter(|force| force.target == id) {
+            for force in model.orders_on(id) {
                 chart.commands[force.step.index()].push(id.index());
                 chart.commanding[id.index()].push(force.step.index());
                 let forced = match &force.order {

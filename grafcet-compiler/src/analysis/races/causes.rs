@@ -62,8 +62,10 @@ impl<'m> Race<'m> {
 
     /// The steps that force a partial grafcet, and how; holding it changes nothing.
     fn orders(&self, partial: PartialId) -> impl Iterator<Item = (StepId, &'m ForceOrder)> {
-        let forces = self.model.forces.values().filter(move |force| force.target == partial);
-        forces.map(|force| (force.step, &force.order)).filter(|(_, order)| **order != ForceOrder::Hold)
+        self.model
+            .orders_on(partial)
+            .map(|force| (force.step, &force.order))
+            .filter(|(_, order)| **order != ForceOrder::Hold)
     }
 
     fn activates(&self, order: &ForceOrder, step: StepId) -> bool {

@@ -125,7 +125,7 @@ fn activated(model: &Model, steps: &[StepId]) -> Set<StepId> {
         for partial in model.partials.values().filter(|partial| partial.enclosed_by == Some(step)) {
             waiting.extend(partial.steps.iter().filter(|inner| model.steps[**inner].linked));
         }
-        for force in model.forces.values().filter(|force| force.step == step) {
+        for force in model.orders_of(step) {
             match &force.order {
                 ForceOrder::Steps(situation) => waiting.extend(situation),
                 ForceOrder::Init => {

@@ -259,7 +259,7 @@ impl Resolver<'_> {
         several(|step| step.initial)
             || several(|step| step.linked)
             || net.transitions.iter().any(forks)
-            || self.model.forces.values().any(|force| force.target == partial && forced(&force.order))
+            || self.model.orders_on(partial).any(|force| forced(&force.order))
             || overlap()
     }
 }

@@ -307,7 +307,15 @@ fn partial(
     attrs: &[syn::Attribute],
     levels: Vec<ast::LevelAttr>,
 ) -> Partial {
-    Partial { name, enclosed_by, doc: first_paragraph(attrs), levels, steps: Vec::new(), transitions: Vec::new() }
+    Partial {
+        name,
+        enclosed_by,
+        doc: first_paragraph(attrs),
+        levels,
+        steps: Vec::new(),
+        transitions: Vec::new(),
+        forced_by: Vec::new(),
+    }
 }
 
 /// What a doc comment says up to an empty line, on one line.

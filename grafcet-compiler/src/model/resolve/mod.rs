@@ -279,6 +279,7 @@ impl Resolver<'_> {
         };
         let id = self.model.forces.push(super::Force { step, target, order, mark: force.mark });
         self.model.steps[step].forces.push(id);
+        self.model.partials[target].forced_by.push(id);
     }
 
     /// The steps of a forced situation; only real steps of the forced partial grafcet can be listed.

@@ -312,13 +312,10 @@ impl<'f> Leaving<'f> {
         let (mut inside, mut held) = (step, false);
         loop {
             let partial = model.steps[inside].partial;
-            held |= model.forces.values().any(|force| {
-                let keeps = match &force.order {
-                    ForceOrder::Hold => true,
-                    ForceOrder::Init => model.steps[inside].initial,
-                    ForceOrder::Steps(steps) => steps.contains(&inside),
-                };
-                force.target == partial && keeps
+            held |= model.orders_on(partial).any(|force| match &force.order {
+                ForceOrder::Hold => true,
+                ForceOrder::Init => model.steps[inside].initial,
+                ForceOrder::Steps(steps) => steps.contains(&inside),
             });
             let Some(above) = model.partials[partial].enclosed_by else { return held };
             inside = above;

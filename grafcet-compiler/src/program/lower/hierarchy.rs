@@ -13,10 +13,8 @@ impl<'m> Lower<'_, 'm> {
         for (id, partial) in self.model.partials.iter() {
             let Some(free) = self.free[id.index()] else { continue };
             let mut parts = Vec::new();
-            for force in self.model.forces.values() {
-                if force.target == id {
-                    parts.push(not(self.was(force.step)));
-                }
+            for force in self.model.orders_on(id) {
+                parts.push(not(self.was(force.step)));
             }
             parts.push_all(partial.enclosed_by.map(|step| self.was(step)));
             body.push(Statement::Set(free, all(parts)));
@@ -37,7 +35,7 @@ impl<'m> Lower<'_, 'm> {
                 below = vec![Statement::If(self.is(step), here, self.overwrite(*id, &[]))];
             }
             // A14 leaves at most one order; the last in the source otherwise.
-            for force in self.model.forces.values().filter(|force| force.target == *id) {
+            for force in self.model.orders_on(*id) {
                 let forced = match &force.order {
                     ForceOrder::Steps(steps) => self.overwrite(*id, steps),
                     ForceOrder::Init => self.overwrite(*id, &self.steps_where(*id, |step| step.initial)),

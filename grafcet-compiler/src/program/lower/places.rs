@@ -289,7 +289,7 @@ impl<'r, 'm> Lower<'r, 'm> {
         self.evolutions = self.local("evolutions".to_owned(), Type::Number);
         self.places[self.evolutions.0].role = Role::Evolutions;
         for (id, partial) in model.partials.iter() {
-            if partial.enclosed_by.is_some() || model.forces.values().any(|force| force.target == id) {
+            if partial.enclosed_by.is_some() || !partial.forced_by.is_empty() {
                 let name = partial.name.as_ref().map_or_else(|| "chart".to_owned(), plain);
                 self.free[id.index()] = Some(self.truth(format!("free.{name}")));
             }

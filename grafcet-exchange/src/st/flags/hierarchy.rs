@@ -22,7 +22,7 @@ pub(super) fn is_there(model: &Model) -> bool {
 /// to which an operator leads by hand or a plant that breaks an assumption.
 fn orders(model: &Model, target: PartialId) -> Vec<(&ForceOrder, Vec<&Force>)> {
     let mut orders: Vec<(&ForceOrder, Vec<&Force>)> = Vec::new();
-    let given: Vec<&Force> = model.forces.values().filter(|force| force.target == target).collect();
+    let given: Vec<&Force> = model.orders_on(target).collect();
     for force in given.into_iter().rev() {
         match orders.last_mut() {
             Some((order, forces)) if **order == force.order => forces.insert(0, force),
