@@ -4,9 +4,9 @@
 use super::Lower;
 use super::view::Moment;
 use crate::list::List;
-use crate::model::{AnyId, Id, Transition, TransitionId};
+use crate::model::{AnyId, Id, StepId, Transition, TransitionId};
 use crate::program::build::{all, any, not, yes};
-use crate::program::{Expr, Statement};
+use crate::program::{Expr, PlaceId, Statement};
 use crate::sorted::Set;
 use crate::visit::without_parens;
 
@@ -37,7 +37,7 @@ impl<'m> Lower<'_, 'm> {
                 parts.push(not(Expr::Place(self.anys[other.index()])));
             }
         }
-        parts.push(any(one.sources.iter().map(|step| self.was(*step)).list()));
+        parts.push(self.one_active(&one.sources));
         parts.push(self.own_condition(&self.model.transitions[one.first]));
         all(parts)
     }
@@ -80,6 +80,23 @@ impl<'m> Lower<'_, 'm> {
         all(transition.sources.iter().map(|step| self.was(*step)).list())
     }
 
+    /// Whether one of some steps is active, region by region.
+    fn one_active(&self, steps: &[StepId]) -> Expr<'m> {
+        let mut regions: Vec<Expr<'m>> = Vec::new();
+        for step in steps {
+            let asked = self.was(*step);
+            let known = regions.iter_mut().find_map(|region| match (region, &asked) {
+                (Expr::Is(place, steps), Expr::Is(other, more)) if place == other => Some((steps, more)),
+                _ => None,
+            });
+            match known {
+                Some((steps, more)) => steps.extend(more),
+                None => regions.push(asked),
+            }
+        }
+        any(regions)
+    }
+
     /// The condition that is written there, without what an `any` puts in front of it.
     fn own_condition(&self, transition: &'m Transition) -> Expr<'m> {
         let mut tokens = &transition.condition.tokens;
@@ -89,6 +106,24 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         self.part_of(tokens, transition.own_condition(), Moment::Before)
+    }
+
+    /// What leaves a step.
+    pub(super) fn leaving(&self, step: StepId) -> Vec<Expr<'m>> {
+        self.model.leaving[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).list()
+    }
+
+    /// What leads to a step: an `any` as a whole, since one of the steps that it leaves is active where it clears.
+    pub(super) fn entering(&self, step: StepId) -> Vec<Expr<'m>> {
+        let mut truths: Vec<PlaceId> = Vec::new();
+        for id in &self.model.entering[step.index()] {
+            let of_any = self.model.transitions[*id].any.map(|any| self.anys[any.index()]);
+            let truth = of_any.unwrap_or(self.clears[id.index()]);
+            if !truths.contains(&truth) {
+                truths.push(truth);
+            }
+        }
+        truths.into_iter().map(Expr::Place).list()
     }
 
     /// Whether nothing above keeps a partial grafcet from clearing (A13, A17).

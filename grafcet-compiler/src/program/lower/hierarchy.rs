@@ -3,8 +3,8 @@
 use super::Lower;
 use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Id, PartialId, StepId};
+use crate::program::Statement;
 use crate::program::build::{all, any, no, not};
-use crate::program::{Expr, Statement};
 
 impl<'m> Lower<'_, 'm> {
     /// "Frozen are the partial grafcets forced by the active steps"; A17: an enclosure clears only while its enclosing step is active.
@@ -53,9 +53,7 @@ impl<'m> Lower<'_, 'm> {
         let mut body = Vec::new();
         for leaving in [true, false] {
             for step in &self.model.partials[partial].steps {
-                let transitions = if leaving { &self.model.leaving } else { &self.model.entering };
-                let clearing: Vec<Expr<'m>> =
-                    transitions[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).list();
+                let clearing = if leaving { self.leaving(*step) } else { self.entering(*step) };
                 if !clearing.is_empty() {
                     body.push(Statement::If(any(clearing), vec![self.put(*step, !leaving)], Vec::new()));
                 }

@@ -2,7 +2,7 @@
 
 use super::{Cycles, Lower};
 use crate::list::{List, PushAll};
-use crate::model::{Id, Name, Read, StepId};
+use crate::model::{Id, Name, Read};
 use crate::program::build::{all, any, differ, no, not, part, when, yes};
 use crate::program::{Expr, Mark, PlaceId, Statement};
 
@@ -61,13 +61,13 @@ impl<'m> Lower<'_, 'm> {
     fn note_changes(&self) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         for step in self.model.steps.ids() {
-            let leaving = self.clearing(step, true);
+            let leaving = self.leaving(step);
             if !leaving.is_empty() {
                 body.push(Statement::Set(self.left[step.index()], any(leaving)));
             }
         }
         for step in self.model.steps.ids() {
-            let entering = self.clearing(step, false);
+            let entering = self.entering(step);
             if !entering.is_empty() {
                 let stays = all(vec![self.was(step), not(Expr::Place(self.left[step.index()]))]);
                 body.push(Statement::Set(self.entered[step.index()], all(vec![any(entering), not(stays)])));
@@ -76,22 +76,16 @@ impl<'m> Lower<'_, 'm> {
         body
     }
 
-    /// The transitions that lead from a step, or to it.
-    fn clearing(&self, step: StepId, from: bool) -> Vec<Expr<'m>> {
-        let transitions = if from { &self.model.leaving } else { &self.model.entering };
-        transitions[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).list()
-    }
-
     /// `X' = (X − ∪ sources(F)) ∪ ∪ targets(F)`
     fn write_situation(&self) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         for step in self.model.steps.ids() {
-            if !self.clearing(step, true).is_empty() {
+            if !self.leaving(step).is_empty() {
                 when(&mut body, Expr::Place(self.left[step.index()]), vec![self.put(step, false)]);
             }
         }
         for step in self.model.steps.ids() {
-            if !self.clearing(step, false).is_empty() {
+            if !self.entering(step).is_empty() {
                 when(&mut body, Expr::Place(self.entered[step.index()]), vec![self.put(step, true)]);
             }
         }

@@ -18,9 +18,9 @@
 //! Needs: one loop of several rounds that reads and writes the state of the only region.
 
 use super::super::build::yes;
-use super::super::{Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
+use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
 use super::tables::goes_by_table;
-use super::uses::{blocks, blocks_mut, is_written_in, replaced, rewrite, writes_to};
+use super::uses::{blocks, blocks_mut, is_written_in, replaced, rewrite, same, same_statement, writes_to};
 
 /// From so many states on one takes two bytes.
 const BYTE: usize = 256;
@@ -51,6 +51,10 @@ pub(super) fn pass(program: &mut Program<'_>) {
         }
     }
     let behind = body.split_off(last + 1);
+    if !as_local {
+        let counts = |place: PlaceId| program.places[place.0].role == Role::Evolutions;
+        bound_behind(body, now, &counts);
+    }
     body.extend(stored);
     body.extend(behind);
     store_where_it_ends(body, now, state);
@@ -65,6 +69,65 @@ fn local(program: &mut Program<'_>, of: PlaceId) -> PlaceId {
     let (name, ty, initial) = (format!("now.{name}"), *ty, *initial);
     program.places.push(PlaceInfo { name, role: Role::Local, ty, initial, is_field: false });
     PlaceId(program.places.len() - 1)
+}
+
+/// Where a search is stopped by its bound, nobody asks for the local any more: so ways that write nothing else need not look at the bound each for itself, if all ways do.
+fn bound_behind<'m>(body: &mut Vec<Statement<'m>>, now: PlaceId, counts: &dyn Fn(PlaceId) -> bool) {
+    let is_bound = |condition: &Expr<'_>| matches!(condition, Expr::Compare(Comparison::Equal, count, _) if matches!(**count, Expr::Place(place) if counts(place)));
+    let Some(Statement::Match(on, arms, otherwise)) = body.last_mut() else { return };
+    if *on != now || !otherwise.is_empty() || !arms.iter().all(|(_, arm)| looks(arm, &is_bound)) {
+        return;
+    }
+    let mut found: Vec<&mut Vec<Statement<'m>>> = Vec::new();
+    for (_, arm) in arms {
+        find_bare(arm, now, &is_bound, &mut found);
+    }
+    let Some(Statement::If(bound, stop, _)) = found.first().and_then(|block| block.last()) else { return };
+    let stopped = Statement::If(bound.clone(), stop.clone(), Vec::new());
+    let stops = |one: &Statement<'m>| matches!((one, &stopped), (Statement::If(a, then, _), Statement::If(b, stop, _)) if same(a, b) && then.len() == stop.len() && then.iter().zip(stop).all(|(a, b)| same_statement(a, b)));
+    if found.len() < 2 || !found.iter().all(|block| block.last().is_some_and(stops)) {
+        return;
+    }
+    for block in found {
+        if let Some(Statement::If(_, _, goes_on)) = block.pop() {
+            block.extend(goes_on);
+        }
+    }
+    body.push(stopped);
+}
+
+/// Whether each way through statements leaves the loop or looks at the bound.
+fn looks(statements: &[Statement<'_>], is_bound: &dyn Fn(&Expr<'_>) -> bool) -> bool {
+    statements.iter().any(|statement| match statement {
+        Statement::Break => true,
+        Statement::If(condition, then, otherwise) => {
+            is_bound(condition) && matches!(then.last(), Some(Statement::Break))
+                || looks(then, is_bound) && looks(otherwise, is_bound)
+        }
+        _ => false,
+    })
+}
+
+/// The blocks that end with a look at the bound behind which nothing but the state is written.
+fn find_bare<'b, 'm>(
+    block: &'b mut Vec<Statement<'m>>,
+    now: PlaceId,
+    is_bound: &dyn Fn(&Expr<'_>) -> bool,
+    found: &mut Vec<&'b mut Vec<Statement<'m>>>,
+) {
+    let is_bare = match block.last() {
+        Some(Statement::If(condition, then, goes_on)) => {
+            let only = matches!(&goes_on[..], [Statement::Set(place, _)] if *place == now);
+            only && is_bound(condition) && matches!(then.last(), Some(Statement::Break))
+        }
+        _ => false,
+    };
+    if is_bare {
+        return found.push(block);
+    }
+    for inner in block.iter_mut().flat_map(blocks_mut) {
+        find_bare(inner, now, is_bound, found);
+    }
 }
 
 /// A way that goes to a step and leaves the loop stores the state itself.

@@ -154,6 +154,11 @@ impl<'m> Several<'_, 'm> {
         let Statement::Set(place, Expr::All(parts)) = &part.statements[at] else { return None };
         let index = Index::whole(self.places.len(), 0, &self.points[0]);
         let mut engine = self.engine(&[], &index, 0, env);
+        // What is set in front of it is not what the part begins with.
+        for written in &Effects::of_all(&part.statements[..at]).writes {
+            engine.note(*written, Fact::Nothing);
+        }
+        let known = engine.trail.len();
         let (mut asks, mut off) = (Vec::with_capacity(parts.len()), Vec::new());
         for ask in parts {
             let other = match ask {
@@ -178,7 +183,7 @@ impl<'m> Several<'_, 'm> {
         if off.is_empty() {
             return None;
         }
-        engine.back(0);
+        engine.back(known);
         let condition = engine.fold(&Expr::All(asks));
         let mut part = part.clone();
         part.statements[at] = Statement::Set(*place, condition);
