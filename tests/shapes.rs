@@ -40,7 +40,9 @@ fn chart(name: &str) -> TokenStream {
 /// `cycle`, `force` and `next_deadline`, what takes the state of a region from its bits, and the private types of the state.
 fn cycle(chart: TokenStream) -> String {
     let expanded = charts::expand(chart);
-    assert!(!expanded.to_string().contains("compile_error"), "the chart is refused: {expanded}");
+    if let Some((_, refused)) = expanded.to_string().split_once("compile_error ! ") {
+        panic!("a chart is refused: {}", refused.split(" }").next().unwrap_or_default());
+    }
     let mut file: syn::File = syn::parse2(expanded).expect("an expansion is a list of items");
     file.items.retain_mut(|item| match item {
         syn::Item::Enum(item) => {

@@ -97,8 +97,7 @@ impl Gate {
         }
         let mut soonest_ = Option::None;
         if self.situation == __GateState::Opening
-            && !(self.before_state == __GateState::INIT
-                && self.situation == __GateState::Opening)
+            && self.before_state != __GateState::INIT
         {
             soonest_ = sooner(
                 soonest_,

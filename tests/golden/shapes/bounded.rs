@@ -80,12 +80,7 @@ impl Lamp {
                                 pushed >= 3
                             })
                         {
-                            if evolutions_ == 8 {
-                                self.situation = self.situation.marked();
-                                break;
-                            } else {
-                                now_state_ = __LampState::Rest;
-                            }
+                            now_state_ = __LampState::Rest;
                         } else {
                             break;
                         }
@@ -93,28 +88,22 @@ impl Lamp {
                 }
                 __LampState::On => {
                     if inputs_.off {
-                        if evolutions_ == 8 {
-                            self.situation = self.situation.marked();
-                            break;
-                        } else {
-                            now_state_ = __LampState::Off;
-                        }
+                        now_state_ = __LampState::Off;
                     } else {
                         break;
                     }
                 }
                 __LampState::Rest => {
                     if inputs_.off {
-                        if evolutions_ == 8 {
-                            self.situation = self.situation.marked();
-                            break;
-                        } else {
-                            now_state_ = __LampState::Off;
-                        }
+                        now_state_ = __LampState::Off;
                     } else {
                         break;
                     }
                 }
+            }
+            if evolutions_ == 8 {
+                self.situation = self.situation.marked();
+                break;
             }
             self.situation = __LampStateMark::of(now_state_);
             self.situation = self.situation.unmarked();

@@ -117,15 +117,11 @@ impl Works {
                         }
                     }
                     _ => {
-                        let clears_three_four_: bool = self
-                            .region_1 == __WorksRegion1::Three && self.delay0_out;
                         if self.region_0 == __WorksRegion0::Two
-                            && self.region_1 == __WorksRegion1::Three
-                            && !clears_three_four_
+                            && self.region_1 == __WorksRegion1::Three && !self.delay0_out
                             && (!inputs_.a
-                                || self.region_0 == __WorksRegion0::Two
-                                    && self.reading.since(self.since_idle)
-                                        >= Ticks::new(4000u32))
+                                || self.reading.since(self.since_idle)
+                                    >= Ticks::new(4000u32))
                         {
                             self.since_idle = self.reading;
                             on_idle_1__ = true;
@@ -169,7 +165,6 @@ impl Works {
                                                 .reading
                                                 .since(Ticks::new(40u32));
                                         }
-                                        any_68__ = clears_three_four_;
                                     }
                                 }
                                 __WorksRegion0::Two => {
@@ -183,60 +178,89 @@ impl Works {
                                             .reading
                                             .since(Ticks::new(4000u32));
                                     }
-                                    any_68__ = clears_three_four_;
                                 }
                                 _ => {}
                             }
-                            let was_state_three_: __WorksRegion1 = self.region_1;
-                            let clears_four_three_: bool = self
-                                .region_1 == __WorksRegion1::Four && self.edge2_before
-                                && !inputs_.c;
-                            let entered_three_: bool = clears_four_three_
-                                && !(self.region_1 == __WorksRegion1::Three
-                                    && !clears_three_four_);
-                            let entered_four_: bool = clears_three_four_
-                                && !(self.region_1 == __WorksRegion1::Four
-                                    && !clears_four_three_);
-                            if clears_three_four_ {
-                                self.region_1 = __WorksRegion1::NONE;
+                            core::sync::atomic::compiler_fence(
+                                core::sync::atomic::Ordering::SeqCst,
+                            );
+                            let mut was_state_three_: __WorksRegion1 = __WorksRegion1::NONE;
+                            match self.region_1 {
+                                __WorksRegion1::Three => {
+                                    was_state_three_ = __WorksRegion1::Three;
+                                    if self.delay0_out {
+                                        self.region_1 = __WorksRegion1::Four;
+                                        self.since_three = self.reading;
+                                        let q_four_9__: bool = !self
+                                            .action_edge0_before && inputs_.b;
+                                        if q_four_9__ {
+                                            self.count = {
+                                                let count = last_count_;
+                                                count % 900 + 1
+                                            };
+                                        }
+                                        if self.was_q_four_9_ && !q_four_9__ {
+                                            self.count = {
+                                                let count = last_count_;
+                                                count % 900 + 1
+                                            };
+                                        }
+                                        self.was_q_four_9_ = q_four_9__;
+                                        any_68__ = true;
+                                    } else {
+                                        any_68__ = any_68__ || self.was_q_four_9_;
+                                    }
+                                }
+                                __WorksRegion1::Four => {
+                                    was_state_three_ = __WorksRegion1::Four;
+                                    if self.edge2_before && !inputs_.c {
+                                        self.region_1 = __WorksRegion1::Three;
+                                        self.since_three = self.reading;
+                                        self.count = {
+                                            let count = self.count;
+                                            count % 900 + 7
+                                        };
+                                        any_68__ = true;
+                                    } else {
+                                        if self.was_q_four_9_ {
+                                            self.count = {
+                                                let count = last_count_;
+                                                count % 900 + 1
+                                            };
+                                        }
+                                        turned_ = self.was_q_four_9_;
+                                        self.was_q_four_9_ = false;
+                                        any_68__ = any_68__ || turned_;
+                                    }
+                                }
+                                _ => {}
                             }
-                            if clears_four_three_ {
-                                self.region_1 = __WorksRegion1::NONE;
+                            let mut on_three_8__: bool = false;
+                            match self.region_1 {
+                                __WorksRegion1::Three => {
+                                    on_three_8__ = true;
+                                    if self.was_q_four_9_ {
+                                        self.count = {
+                                            let count = last_count_;
+                                            count % 900 + 1
+                                        };
+                                    }
+                                    self.was_q_four_9_ = false;
+                                }
+                                __WorksRegion1::NONE => {
+                                    if self.was_q_four_9_ {
+                                        self.count = {
+                                            let count = last_count_;
+                                            count % 900 + 1
+                                        };
+                                    }
+                                    turned_ = self.was_q_four_9_;
+                                    self.was_q_four_9_ = false;
+                                    any_68__ = any_68__ || turned_;
+                                }
+                                _ => {}
                             }
-                            if entered_three_ {
-                                self.region_1 = __WorksRegion1::Three;
-                            }
-                            if entered_four_ {
-                                self.region_1 = __WorksRegion1::Four;
-                            }
-                            if entered_three_ || entered_four_ {
-                                self.since_three = self.reading;
-                            }
-                            let q_four_9__: bool = entered_four_
-                                && !self.action_edge0_before && inputs_.b;
-                            if entered_three_ {
-                                self.count = {
-                                    let count = self.count;
-                                    count % 900 + 7
-                                };
-                            }
-                            if q_four_9__ {
-                                self.count = {
-                                    let count = last_count_;
-                                    count % 900 + 1
-                                };
-                            }
-                            if self.was_q_four_9_ && !q_four_9__ {
-                                self.count = {
-                                    let count = last_count_;
-                                    count % 900 + 1
-                                };
-                            }
-                            turned_ = self.was_q_four_9_ != q_four_9__;
-                            self.was_q_four_9_ = q_four_9__;
-                            any_68__ = any_68__ || clears_four_three_;
-                            any_68__ = any_68__ || turned_;
-                            self.ds_ff_slow = self.region_1 == __WorksRegion1::Three
+                            self.ds_ff_slow = on_three_8__
                                 && self.reading.since(self.since_three)
                                     >= Ticks::new(20u32)
                                 || self.ds_ff_slow;

@@ -99,3 +99,28 @@ fn what_leaves_a_step_may_be_known_before() {
      || (3ms/S7))]-> S1; S5 -[!d]-> S2; }";
     each_left_out(&read(chart), &storm(&["a", "b", "c", "d", "e"], 120), 3);
 }
+
+/// In an `sfc` a branch stands in front of the convergence of its step: what that asks of the branch is asked there, so that the regions are compiled one by one. What stands
+/// for several of their states is not known in front of where it is gathered.
+#[test]
+fn a_convergence_asks_what_a_branch_before_it_asks() {
+    let chart = "sfc Loop { input a, b, c, d, f: bool; output p, q, r: bool; initial step I; step A { p; } step B { q; } step C; step D { r; } \
+         I -[a]-> (A, C); A -[b]-> B; C -[c]-> D; B -[!c]-> A; (B, D) -[c && d]-> I; }";
+    let plays = |chart: &str| each_left_out(&read(chart), &storm(&["a", "b", "c", "d", "f"], 300), 100);
+    let shown = text(chart);
+    assert!(!shown.contains("clears.") && !shown.contains("entered."), "{shown}");
+    plays(chart);
+    let stopped = chart.replacen("I; }", "I; step X; any except I -[rising(f)]-> X; X -[!f]-> I; }", 1);
+    let shown = text(&stopped);
+    assert!(!shown.contains("clears.A→X") && !shown.contains("clears.C→X"), "{shown}");
+    for stopped in [&stopped, &stopped.replacen("except I", "except (I, B)", 1)] {
+        plays(stopped);
+        let search = stopped.replacen("sfc", "grafcet", 1);
+        plays(&search);
+        plays(&search.replacen("step C;", "step C; step E;", 1).replacen("B -[!c]-> A;", "B -[!c]-> E -[!b]-> A;", 1));
+    }
+    let three = "sfc Three { input a, b, c, d, f: bool; output p: bool; initial step I; step A; step B; step C; step D { p; } step Y; step Z; step X; \
+         I -[a]-> (A, C, Y); A -[b]-> B; C -[c]-> D; Y -[d]-> Z; (B, D, Z) -[c && d]-> I; any except (I, B, C, Y) -[f]-> X; X -[!f]-> I; }";
+    plays(three);
+    plays(&three.replacen("sfc", "grafcet", 1));
+}
