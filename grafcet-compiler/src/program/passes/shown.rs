@@ -1,4 +1,4 @@
-//! An output that ends each cycle with what a field holds is set from it behind the ways.
+//! An output that ends each cycle with what a field holds is set from it after the ways.
 //!
 //! ```text
 //! match state                      match state
@@ -13,7 +13,7 @@
 
 use super::super::{Expr, PlaceId, Program, Role, Statement, Value};
 use super::fold::initial;
-use super::uses::{Effects, blocks, mentions, unset};
+use super::uses::{Effects, blocks, mentions, unset, writes_to};
 
 /// From so many places that set it on it pays.
 const PLACES: usize = 3;
@@ -103,8 +103,7 @@ impl<'m> Shown<'_, 'm> {
         let mut out = out.clone();
         for statement in statements {
             ways = self.after(statement, ways, &out)?;
-            let writes = Effects::of(statement).writes;
-            out.retain(|(place, _)| !writes.contains(place));
+            out.retain(|(place, value)| !may_put(statement, *place, *value));
             if ways.len() > MOST {
                 return None;
             }
@@ -187,6 +186,16 @@ fn is_nothing_left(program: &Program<'_>, place: PlaceId, out: &Out) -> bool {
     let is_out = |value: Value| out.contains(&(place, value));
     let is_none_out = program.full[region] || is_out(Value::Step(None));
     is_none_out && program.regions[region].iter().all(|step| is_out(Value::Step(Some(*step))))
+}
+
+/// Whether a statement may put a value into a place.
+fn may_put(statement: &Statement<'_>, place: PlaceId, value: Value) -> bool {
+    match statement {
+        Statement::Set(to, Expr::Value(put)) => *to == place && *put == value,
+        Statement::Set(to, _) => *to == place,
+        Statement::Run(_) => writes_to(statement, place),
+        other => blocks(other).into_iter().flatten().any(|one| may_put(one, place, value)),
+    }
 }
 
 /// The field has been written.
