@@ -1,57 +1,18 @@
 //! What a cycle does in one state: its statements with all that is known there, forked where the next state depends on a condition.
 
+mod facts;
+mod tree;
+
+pub(super) use facts::{Among, Copies, Excluding, Fact, beginning};
+pub(super) use tree::{End, Leaf, Lost, Tree};
+
 use super::super::{Expr, PlaceId, PlaceInfo, Run, Statement, Type, Value};
-use super::fold::{Known, initial};
+use super::fold::Known;
 use super::sparse::{Index, States};
 use super::uses::{each_written, leaves};
-use crate::model::{Read, StepId};
+use crate::model::Read;
 
-/// What is known of a place.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Fact {
-    Nothing,
-    /// What it began with.
-    Initial,
-    Is(Value),
-    /// Each round writes it before it is read, so it may be taken for what it is declared with. What it holds is not known.
-    Assumed(Value),
-    /// The same as another place, which has not been written since.
-    Copy(PlaceId),
-    /// The state of a region: one of the list with this number.
-    Among(usize),
-    /// The reading of the clock in this cycle.
-    Now,
-}
-
-/// States of which a region has one.
-pub(super) type Among = Vec<Option<StepId>>;
-
-/// What is done on all ways from one state.
-pub(super) struct Tree<'m> {
-    pub(super) body: Vec<Statement<'m>>,
-    pub(super) end: End<'m>,
-}
-
-pub(super) enum End<'m> {
-    /// Where the condition holds the first, else the second.
-    Fork(Expr<'m>, Box<[Tree<'m>; 2]>),
-    Leaf(Leaf<'m>),
-}
-
-/// The end of a way: what is done after its last fork.
-pub(super) struct Leaf<'m> {
-    pub(super) body: Vec<Statement<'m>>,
-    /// The state after it.
-    pub(super) state: Value,
-    /// What is known then of the fields.
-    pub(super) facts: Vec<Fact>,
-    /// It leaves the loop.
-    pub(super) breaks: bool,
-}
-
-/// The state is not known in the end, or there are too many ways.
-pub(super) struct Lost;
-
+/// What follows a list of statements from state to state.
 pub(super) struct Engine<'e, 'm> {
     pub(super) places: &'e [PlaceInfo<'m>],
     pub(super) list: &'e [Statement<'m>],
@@ -75,60 +36,6 @@ pub(super) struct Engine<'e, 'm> {
     ways: usize,
 }
 
-/// What has been a copy of what so far, also if it is none any more.
-#[derive(Default)]
-pub(super) struct Copies {
-    /// The copy, and of what it is one, in the order in which they were made.
-    all: Vec<(PlaceId, PlaceId)>,
-    /// The copies of each place, as far as there are any.
-    of: Vec<Vec<PlaceId>>,
-}
-
-impl Copies {
-    pub(super) fn add(&mut self, copy: PlaceId, of: PlaceId) {
-        if self.of.len() <= of.0 {
-            self.of.resize_with(of.0 + 1, Vec::new);
-        }
-        let known = &mut self.of[of.0];
-        if !known.contains(&copy) {
-            known.push(copy);
-            self.all.push((copy, of));
-        }
-    }
-
-    /// Only the first so many are left.
-    fn back(&mut self, to: usize) {
-        while self.all.len() > to {
-            if let Some((_, of)) = self.all.pop() {
-                self.of[of.0].pop();
-            }
-        }
-    }
-}
-
-/// Groups of truths of which one at most becomes true.
-#[derive(Default)]
-pub(super) struct Excluding<'e> {
-    groups: &'e [Vec<PlaceId>],
-    /// By place.
-    group_of: Vec<Option<usize>>,
-    /// By group: which of them was true when somebody asked last. It still is, as a rule.
-    last: Vec<PlaceId>,
-}
-
-impl<'e> Excluding<'e> {
-    pub(super) fn of(groups: &'e [Vec<PlaceId>], places: usize) -> Self {
-        let (mut group_of, mut last) = (vec![None; places], Vec::with_capacity(groups.len()));
-        for (number, group) in groups.iter().enumerate() {
-            last.extend(group.first());
-            for truth in group {
-                group_of[truth.0] = Some(number);
-            }
-        }
-        Self { groups, group_of, last }
-    }
-}
-
 /// How far the lists of the index are read.
 #[derive(Clone, Copy, Default)]
 struct Cursor {
@@ -137,24 +44,6 @@ struct Cursor {
     after: usize,
     /// The point of the next state, once it is known.
     next: Option<usize>,
-}
-
-/// What is known where a cycle or a round begins: some places begin as they are declared, or in a loop may be taken for it, as nothing has
-/// written them.
-pub(super) fn beginning(places: &[PlaceInfo<'_>], assumed: &[bool], in_loop: bool) -> Vec<Fact> {
-    let mut env = vec![Fact::Nothing; places.len()];
-    for ((place, assumed), fact) in places.iter().zip(assumed).zip(&mut env) {
-        if !assumed {
-            continue;
-        }
-        *fact = match initial(place).filter(|_| !matches!(place.ty, Type::User(_))) {
-            Some(value) if in_loop => Fact::Assumed(value),
-            Some(value) => Fact::Is(value),
-            None if in_loop => Fact::Nothing,
-            None => Fact::Initial,
-        };
-    }
-    env
 }
 
 impl<'e, 'm> Engine<'e, 'm> {
@@ -378,13 +267,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             }
             _ => return None,
         };
-        let Excluding { groups, group_of, last } = &mut self.excluding;
-        let number = (*group_of.get(place.0)?)?;
-        let is_true = |other: PlaceId| other != *place && self.env[other.0] == Fact::Is(Value::Bool(true));
-        if !is_true(last[number]) {
-            last[number] = groups[number].iter().copied().find(|other| is_true(*other))?;
-        }
-        Some(*place)
+        self.excluding.excludes(*place, &self.env).then_some(*place)
     }
 
     /// A truth on which the next state depends, and that is not known.
