@@ -52,7 +52,7 @@ fn charts_in(file: &Path) -> Vec<TokenStream> {
     let text = || fs::read_to_string(file).expect("a file of charts");
     match extension {
         Some("rs") => charts::charts(&text()),
-        // Behind the chart stands its timeline.
+        // After the chart stands its timeline.
         Some("chart") => vec![text().split("\n---").next().unwrap_or_default().parse().expect("a chart")],
         _ => Vec::new(),
     }

@@ -32,7 +32,7 @@ use clap::Parser;
 
 use args::{Args, Command};
 
-/// Runs the tool with the arguments of a command line, the program's name first; `grafcet` behind it, with which cargo calls its
+/// Runs the tool with the arguments of a command line, the program's name first; `grafcet` after it, with which cargo calls its
 /// plugins, is left out.
 ///
 /// The exit code is 0 where all is well, 1 where something is wrong with a chart, and 2 where what was asked for could not be done: there is no

@@ -25,7 +25,7 @@ pub struct Chart {
     pub incomplete: bool,
     /// It is a plant of a call, written as a chart.
     pub is_plant: bool,
-    /// The names of the plants behind it.
+    /// The names of the plants after it.
     pub plants: Vec<String>,
 }
 

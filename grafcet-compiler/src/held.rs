@@ -5,7 +5,7 @@ use crate::model::{AssociationId, DelayId, EdgeId, MacroId, OutputId, Qualifier,
 /// What a field holds. A target of the action control (A31) is named by its first association.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Held {
-    /// Which of these steps are active together, by state: behind them there may be a state for none of them, and one for "the first cycle is still to come".
+    /// Which of these steps are active together, by state: after them there may be a state for none of them, and one for "the first cycle is still to come".
     Situation(Vec<Vec<StepId>>),
     /// A bit for each of these steps, and where it has one for the start, another that says that the first cycle is still to come.
     Flags {

@@ -87,7 +87,7 @@ pub(crate) struct Compiled {
 }
 
 impl Compiled {
-    /// The messages, and the items behind them.
+    /// The messages, and the items after them.
     pub(crate) fn tokens(self, root: &TokenStream) -> TokenStream {
         let mut tokens = diagnostic::tokens(&self.messages, root);
         tokens.extend(self.items);

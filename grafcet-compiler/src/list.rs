@@ -79,7 +79,7 @@ pub(crate) trait List: Iterator + Sized {
         Flat { outer: self, make, inner: None }
     }
 
-    /// And behind it what another yields: `chain`.
+    /// And after it what another yields: `chain`.
     fn and<J: IntoIterator<Item = Self::Item>>(self, other: J) -> And<Self, J::IntoIter> {
         And { first: Some(self), second: other.into_iter() }
     }
@@ -87,7 +87,7 @@ pub(crate) trait List: Iterator + Sized {
 
 impl<I: Iterator> List for I {}
 
-/// Puts what an iterator yields behind what is there: `extend`.
+/// Puts what an iterator yields after what is there: `extend`.
 pub(crate) trait PushAll<T> {
     fn push_all(&mut self, items: impl IntoIterator<Item = T>);
 }

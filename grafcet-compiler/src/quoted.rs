@@ -36,7 +36,7 @@ impl Text {
         tokens.to_tokens(&mut self.tokens);
     }
 
-    /// Reads what is behind the last place.
+    /// Reads what is after the last place.
     pub(crate) fn end(mut self) -> TokenStream {
         while self.read() {}
         self.tokens
@@ -205,7 +205,7 @@ macro_rules! quote {
 }
 pub(crate) use quote;
 
-/// Puts into the places what stands there. Each token is looked at with the one before it and the two behind it, so that the macro need
+/// Puts into the places what stands there. Each token is looked at with the one before it and the two after it, so that the macro need
 /// not call itself for what comes next.
 macro_rules! fill {
     ($text:ident ($($before:tt)*) ($($token:tt)*) ($($next:tt)*) ($($last:tt)*)) => {

@@ -56,7 +56,7 @@ fn within(one: &[char], other: &[char], limit: usize) -> Option<usize> {
             least = least.min(nearest);
         }
         rows.rotate_left(1);
-        // Nothing behind two rows is nearer than what is in one of them.
+        // Nothing after two rows is nearer than what is in one of them.
         if least > limit + 1 {
             return None;
         }

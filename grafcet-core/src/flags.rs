@@ -1,6 +1,6 @@
 //! A situation with a bit for each step (`encoding flags;`).
 
-/// The first bit that is set from a byte on, among those of a mask, counted from there; behind all of the mask where there is none.
+/// The first bit that is set from a byte on, among those of a mask, counted from there; after all of the mask where there is none.
 #[must_use]
 pub const fn first<const N: usize, const K: usize>(flags: &[u8; N], from: usize, mask: &[u8; K]) -> usize {
     let mut byte = 0;
@@ -38,7 +38,7 @@ mod tests {
         assert_eq!(first(&flags, 0, &[0xfe, 0xc0]), 15);
         assert_eq!(first(&flags, 1, &[0x0f, 0x0f]), 9);
         assert_eq!(first(&flags, 0, &[0xfe, 0x1f, 0x01]), 24);
-        // What is behind the flags is not set.
+        // What is after the flags is not set.
         assert_eq!(first(&flags, 2, &[0x01, 0xff]), 16);
     }
 

@@ -126,7 +126,7 @@ impl Possible<'_> {
 const NOWHERE: usize = 0;
 const END: usize = 1;
 
-/// The nodes of a diagram with their numbers, each behind those to which it leads: which step it asks for, and where to go on.
+/// The nodes of a diagram with their numbers, each after those to which it leads: which step it asks for, and where to go on.
 fn nodes(table: &[u8]) -> impl DoubleEndedIterator<Item = (usize, [usize; 3])> + '_ {
     let nodes = table.chunks_exact(3).enumerate();
     nodes.map(|(place, node)| {
@@ -138,7 +138,7 @@ fn nodes(table: &[u8]) -> impl DoubleEndedIterator<Item = (usize, [usize; 3])> +
 /// Whether a situation is one of those of a diagram.
 fn leads_to_the_end(table: &[u8], steps: usize, is_active: impl Fn(usize) -> bool) -> bool {
     let (mut next, mut from) = (table.len() / 3 + END, 0);
-    // Each node stands behind those to which it leads.
+    // Each node stands after those to which it leads.
     for (number, [step, inactive, active]) in nodes(table).rev() {
         if number == next {
             if (from..step).any(&is_active) {

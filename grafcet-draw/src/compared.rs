@@ -24,7 +24,7 @@ pub enum Change {
 pub enum Part {
     /// A step.
     Step(usize),
-    /// An action of a step: the number of the step, and its own one. The forcing orders go on counting behind the actions.
+    /// An action of a step: the number of the step, and its own one. The forcing orders go on counting after the actions.
     Action(usize, usize),
     /// A transition with its condition.
     Transition(usize),

@@ -85,7 +85,7 @@ pub enum Shape {
         /// Its square.
         at: (i32, i32),
     },
-    /// Something that differs from another version of the chart, behind what it is; in plain text nothing, as signs tell there.
+    /// Something that differs from another version of the chart, after what it is; in plain text nothing, as signs tell there.
     Changed {
         /// The upper left square.
         at: (i32, i32),

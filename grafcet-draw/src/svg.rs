@@ -103,7 +103,7 @@ struct Layers {
     frames: String,
     bars: String,
     marks: String,
-    /// Behind all others.
+    /// After all others.
     changed: String,
     texts: String,
     /// The row of each double line, and its ends.

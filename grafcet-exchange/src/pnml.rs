@@ -11,7 +11,7 @@ use crate::Refused;
 const PTNET: &str = "http://www.pnml.org/version-2009/grammar/ptnet";
 
 /// A chart as a net: a place for each step, with a token where the step is initial, and a transition for each transition; conditions are names
-/// of transitions alone. What the chart can reach, the net can reach: what clears in one evolution fires one behind the other, and a place has a
+/// of transitions alone. What the chart can reach, the net can reach: what clears in one evolution fires one after the other, and a place has a
 /// token as long as its step is active. Macro-steps are expanded, and an `any` is a transition from each of its steps.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! The procedural macro behind `grafcet::grafcet!`; use it through the crate `grafcet`.
+//! The procedural macro after `grafcet::grafcet!`; use it through the crate `grafcet`.
 
 use proc_macro2::{TokenStream, TokenTree};
 

@@ -99,7 +99,7 @@ pub(crate) fn shortest(task: &Task<'_>, most: usize, limit: &Limit) -> Result<Op
     Ok(None)
 }
 
-/// Behind how many cycles at whose ends nothing bad holds nothing bad can hold in the next one, either; none where more than so many would be needed.
+/// After how many cycles at whose ends nothing bad holds nothing bad can hold in the next one, either; none where more than so many would be needed.
 pub(crate) fn inductive(task: &Task<'_>, most: usize, limit: &Limit) -> Result<Option<usize>, Over> {
     let mut unrolled = Unrolled::anywhere(task, limit);
     for depth in 0..=most {

@@ -1,7 +1,7 @@
 //! The check of a proof: by SAT alone, on the circuit as it is, and with nothing of what found the proof.
 //!
 //! An invariant is one if every chart begins in it, if no cycle leads out of it, and if nothing bad can happen in it. By k-induction nothing bad
-//! happens in the first cycles, nor behind as many in which nothing bad did.
+//! happens in the first cycles, nor after as many in which nothing bad did.
 
 use crate::aig::{Aig, Lit, Node};
 use crate::circuit::{Circuit, Condition};
@@ -50,7 +50,7 @@ pub fn fault(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Result<Op
     Ok(None)
 }
 
-/// Nothing bad in the first cycles, and nothing bad behind as many without.
+/// Nothing bad in the first cycles, and nothing bad after as many without.
 fn fault_of_depth(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Result<Option<String>, Over> {
     let circuit = task.circuit;
     for begins in [true, false] {
@@ -84,7 +84,7 @@ fn fault_of_depth(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Resu
     Ok(None)
 }
 
-/// The gates of the cycle behind one.
+/// The gates of the cycle after one.
 fn following(sat: &mut Sat, circuit: &Circuit, cycle: &[Term]) -> Vec<Term> {
     let later = nodes(sat, &circuit.aig);
     for latch in &circuit.latches {

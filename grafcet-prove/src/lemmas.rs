@@ -73,7 +73,7 @@ pub enum Relation {
     Below(u32),
     /// The deadline's clock is so far ahead of the step's, at most.
     Behind(u32),
-    /// It is not behind.
+    /// It is not after.
     Ahead,
 }
 

@@ -28,7 +28,7 @@ pub fn is_so(circuit: &Circuit, question: Question, limit: &Limit) -> Result<Opt
     }
 }
 
-/// The rules of a chart do not rely on what is assumed to come one behind the other.
+/// The rules of a chart do not rely on what is assumed to come one after the other.
 fn alone(circuit: &Circuit) -> Circuit {
     Circuit { constraint: circuit.without_orders, ..circuit.clone() }
 }

@@ -142,7 +142,7 @@ fn goes(
             order.cycle(&machine, &world, &given.inputs, now).map_err(not_understood)?;
             if order.is_broken() {
                 return Err(Why::Differs(format!(
-                    "what is assumed to come one behind the other does not in cycle {cycle_number}"
+                    "what is assumed to come one after the other does not in cycle {cycle_number}"
                 )));
             }
         }

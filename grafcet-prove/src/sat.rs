@@ -1,4 +1,4 @@
-//! The SAT solver behind a small interface, so that another one can take its place (docs/decisions/sat.md), and how a circuit's gates get
+//! The SAT solver after a small interface, so that another one can take its place (docs/decisions/sat.md), and how a circuit's gates get
 //! there.
 
 use std::cell::Cell;

@@ -28,7 +28,7 @@ pub type Cube = Vec<u32>;
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Invariant {
     pub excluded: Vec<Cube>,
-    /// Behind so many cycles at whose ends nothing bad holds, nothing bad does in the next one, either, and neither in the first so many;
+    /// After so many cycles at whose ends nothing bad holds, nothing bad does in the next one, either, and neither in the first so many;
     /// zero where that follows from what is excluded.
     pub depth: usize,
 }

@@ -190,7 +190,7 @@ pub fn vacuous(circuit: &Circuit, property: usize, limit: &Limit) -> Result<Opti
     trigger.map_or(Ok(None), |(_, happens)| never(circuit, *happens, limit))
 }
 
-/// Why what is assumed to come one behind the other, with this number, is asked for at no time, though nothing of that is assumed.
+/// Why what is assumed to come one after the other, with this number, is asked for at no time, though nothing of that is assumed.
 ///
 /// # Errors
 /// A proof that fails its check.

@@ -11,7 +11,7 @@ use crate::{Chart, Cycle, Error, Kind, Program, Signal, Simulation, Value};
 /// Values of what the program around the chart tells, by its text.
 type Told = Rc<RefCell<Vec<(String, Value)>>>;
 
-/// A chart with a place for everything that it is given: its inputs, and behind them what the program around it tells ([`Chart::outside`]), so that somebody
+/// A chart with a place for everything that it is given: its inputs, and after them what the program around it tells ([`Chart::outside`]), so that somebody
 /// can play with it who has no program.
 pub struct Beside<'c> {
     chart: &'c Chart,
@@ -108,7 +108,7 @@ impl<'c> Beside<'c> {
         self.chart
     }
 
-    /// The chart's inputs, and behind them what the program around it tells.
+    /// The chart's inputs, and after them what the program around it tells.
     #[must_use]
     pub fn signals(&self) -> &[Signal] {
         &self.signals

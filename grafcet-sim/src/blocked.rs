@@ -218,7 +218,7 @@ impl Asking<'_> {
             (Tree::Binary(Binary::And, a, b), true) | (Tree::Binary(Binary::Or, a, b), false) => {
                 let mut all = Vec::new();
                 for part in [a, b] {
-                    // A part behind one that is false need not make sense yet.
+                    // A part after one that is false need not make sense yet.
                     if self.look.holds(part).is_ok_and(|holds| holds != wanted) {
                         match self.wait(part, wanted)? {
                             Wait::All(parts) => all.extend(parts),

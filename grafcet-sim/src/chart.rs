@@ -160,7 +160,7 @@ fn find(tokens: TokenStream, name: &str) -> Option<TokenStream> {
     None
 }
 
-/// `pub sfc Motor { … }`: the name stands behind the first `sfc` or `grafcet`.
+/// `pub sfc Motor { … }`: the name stands after the first `sfc` or `grafcet`.
 fn is_named(tokens: TokenStream, name: &str) -> bool {
     let keyword = |tree: &TokenTree| matches!(tree, TokenTree::Ident(ident) if ident == "sfc" || ident == "grafcet");
     let mut behind = tokens.into_iter().skip_while(|tree| !keyword(tree)).skip(1);

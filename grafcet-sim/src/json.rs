@@ -7,7 +7,7 @@ use serde_json::{Number, Value as Json, json};
 use crate::value::short;
 use crate::{Blocked, Cycle, Evolution, Kind, Names, Signal, Value, happened};
 
-/// The names of everything, and what kind of value each has. `signals` are the inputs, and behind them what else the program contributes.
+/// The names of everything, and what kind of value each has. `signals` are the inputs, and after them what else the program contributes.
 #[must_use]
 pub fn names(names: &Names, signals_in: &[Signal]) -> Json {
     json!({

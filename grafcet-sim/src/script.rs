@@ -35,7 +35,7 @@ pub fn script(names: &Names, text: &str) -> Result<Vec<Scripted>, BadLine> {
     script_of(&names.inputs, text)
 }
 
-/// The same of other signals, as the inputs and behind them what the program contributes ([`Chart::outside`](crate::Chart::outside)). A
+/// The same of other signals, as the inputs and after them what the program contributes ([`Chart::outside`](crate::Chart::outside)). A
 /// name that is no word stands in backquotes: `` `near(x, 3)` ``, `` `LIMIT`=80 ``.
 ///
 /// # Errors
@@ -90,7 +90,7 @@ fn name_and_value(word: &str) -> (&str, Option<&str>) {
     let quoted = word.strip_prefix('`').and_then(|rest| rest.split_once('`'));
     match quoted {
         Some((name, "")) => (name, None),
-        // What else stands behind the name is no value.
+        // What else stands after the name is no value.
         Some((name, rest)) => (name, Some(rest.strip_prefix('=').unwrap_or(""))),
         None => word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value))),
     }

@@ -321,7 +321,7 @@ impl<'c> Simulation<'c> {
         named.map(|(id, value)| outside(*value, Name::Param(id), self.chart.model())).collect()
     }
 
-    /// The machine behind it, whose names are the compiler's ids.
+    /// The machine after it, whose names are the compiler's ids.
     #[must_use]
     pub fn machine(&self) -> &Interpreter<'c> {
         &self.machine

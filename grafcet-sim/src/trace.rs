@@ -79,7 +79,7 @@ impl Trace {
         times
     }
 
-    /// The gaps, and the cycles behind them.
+    /// The gaps, and the cycles after them.
     pub fn gaps(&self) -> impl Iterator<Item = (usize, &Gap)> {
         self.cycles.iter().enumerate().filter_map(|(index, cycle)| Some((index, cycle.gap.as_ref()?)))
     }

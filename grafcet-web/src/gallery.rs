@@ -102,7 +102,7 @@ fn range(tokens: TokenStream) -> Option<Range<usize>> {
     Some(start..tokens.last().unwrap_or(first).span().byte_range().end)
 }
 
-/// Whole lines, with the blanks taken away that all of them begin with. A comment in front of the first token or behind the last one belongs to them.
+/// Whole lines, with the blanks taken away that all of them begin with. A comment in front of the first token or after the last one belongs to them.
 fn between(file: &str, tokens: &Range<usize>) -> String {
     let start = file[..tokens.start].rfind('{').map_or(0, |brace| brace + 1);
     let end = file[tokens.end..].find('}').map_or(file.len(), |brace| tokens.end + brace);

@@ -111,7 +111,7 @@ impl<'v> Both<'v> {
         self.partials.len() - 1
     }
 
-    /// Those of a step of the new version; what is gone stands behind them.
+    /// Those of a step of the new version; what is gone stands after them.
     fn actions(&mut self, number: usize, before: usize) {
         let (was, is) = (&self.old.words.steps[before].actions, &self.new.words.steps[number].actions);
         let (gone, fresh) = (missing(was, is), missing(is, was));
@@ -130,7 +130,7 @@ impl<'v> Both<'v> {
         let (gone_actions, gone_forces): (Vec<usize>, Vec<usize>) =
             lost.into_iter().partition(|place| *place < of.actions.len());
         for (place, text) in is.iter().enumerate() {
-            // Forcing orders stand behind all actions, also those that are gone.
+            // Forcing orders stand after all actions, also those that are gone.
             let part = Part::Action(number, if place < actions { place } else { place + gone_actions.len() });
             if let Some(found) = news.iter().position(|other| *other == text) {
                 news.remove(found);

@@ -78,7 +78,7 @@ fn links(sheet: &Sheet, page: &Page) -> impl Iterator<Item = (Rect, usize)> {
     let targets = connectors.chain(page.references.iter().map(|one| (one.at, one.page)));
     targets.map(move |((x, y), to)| {
         let [x, y] = [x, y].map(|at| f32::from(i16::try_from(at).unwrap_or(i16::MAX)));
-        // The middle of the square, behind the margin of four pixels; a page is counted from below.
+        // The middle of the square, after the margin of four pixels; a page is counted from below.
         let (x, y) = (left + (x * 8.0 + 8.0) * scale, sheet.size.1 - top - (y * 16.0 + 12.0) * scale);
         let around = 16.0 * scale;
         (Rect::new(x - around, y - around, x + around, y + around), to)

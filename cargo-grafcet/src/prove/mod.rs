@@ -50,7 +50,7 @@ pub(crate) struct Prove {
     /// What holds in every situation, from which each proof follows
     #[arg(long)]
     pub(crate) why: bool,
-    /// Let this command decide: it finds a circuit with one bad state in the file `{aig}` (AIGER, binary; behind the other words, if none is named), `{aag}` (as text)
+    /// Let this command decide: it finds a circuit with one bad state in the file `{aig}` (AIGER, binary; after the other words, if none is named), `{aag}` (as text)
     /// or `{btor2}`, and writes a witness of AIGER or BTOR2 to its output or to the file `{witness}`. A counterexample counts if the chart breaks the property on it
     #[arg(long, value_name = "COMMAND", conflicts_with = "why")]
     pub(crate) with: Option<String>,

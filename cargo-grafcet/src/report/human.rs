@@ -57,7 +57,7 @@ pub(crate) fn at(source: &Source, span: Span, what: &str) -> String {
 pub(crate) fn in_file(source: &Source, at: std::ops::Range<usize>, level: &Level<'_>, what: &str) -> String {
     let path = source.path.display().to_string();
     let title = level.clone().primary_title(what);
-    // Behind the last character there is nothing to mark.
+    // After the last character there is nothing to mark.
     let group = if at.start >= source.text.len() || source.text.get(at.clone()).is_none() {
         Group::with_title(title).element(Origin::path(&path))
     } else {

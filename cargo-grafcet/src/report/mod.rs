@@ -61,7 +61,7 @@ pub(crate) struct Place {
     pub(crate) start: usize,
     pub(crate) end: usize,
     pub(crate) from: At,
-    /// Behind the last character.
+    /// After the last character.
     pub(crate) to: At,
 }
 

@@ -98,7 +98,7 @@ fn inputs(session: &Session<'_>, screen: &Screen) -> Vec<Line<'static>> {
     all.map(line).collect()
 }
 
-/// The outputs, and behind them the variables.
+/// The outputs, and after them the variables.
 fn outputs(session: &Session<'_>) -> Vec<Line<'static>> {
     let (names, simulation) = (session.names(), session.simulation());
     let outputs = names.outputs.iter().zip(simulation.outputs());

@@ -36,7 +36,7 @@ const STEP: u64 = 100_000_000;
 ///
 /// The chart is drawn with its active steps. Each input has a key, which stands in front of its name: it turns a truth around, takes the next of a list of
 /// variants, or asks for a number. Enter makes one cycle, Space lets the chart run, Backspace takes a cycle back, `+` and `-` change the time from one cycle
-/// to the next, Ctrl-R makes a cycle that starts like a first one (Init), Ctrl-F asks for steps and makes a cycle into them by hand (of a chart that is `forceable;`), Ctrl-S saves the session as a script, Esc ends it. Parameters stand behind the
+/// to the next, Ctrl-R makes a cycle that starts like a first one (Init), Ctrl-F asks for steps and makes a cycle into them by hand (of a chart that is `forceable;`), Ctrl-S saves the session as a script, Esc ends it. Parameters stand after the
 /// inputs and are exchanged in the same way. Functions and constants of the program around the chart are inputs under their own text;
 /// blocks of Rust that cannot be looked into write nothing.
 #[derive(Arguments, Debug)]

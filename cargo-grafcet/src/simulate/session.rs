@@ -16,7 +16,7 @@ pub(crate) struct Session<'c> {
     past: VecDeque<Moment<'c>>,
     /// All cycles so far.
     script: Vec<Played>,
-    /// The signals, and behind them the parameters.
+    /// The signals, and after them the parameters.
     shown: Vec<Signal>,
     values: Vec<Value>,
     /// The parameters from the next cycle on.
@@ -190,7 +190,7 @@ impl<'c> Session<'c> {
         self.beside.signals()
     }
 
-    /// What can be set: the signals, and behind them the parameters.
+    /// What can be set: the signals, and after them the parameters.
     pub(crate) fn shown(&self) -> &[Signal] {
         &self.shown
     }

@@ -87,7 +87,7 @@ fn what_is_typed_and_chosen() {
     assert_eq!((screen.selected, session.values()[0].clone()), (0, true.into()));
     press(&mut screen, &mut session, "______");
     assert_eq!(screen.selected, 4);
-    // A list begins anew behind its last.
+    // A list begins anew after its last.
     press(&mut screen, &mut session, "mm");
     assert_eq!(session.values()[2], "Off".into());
     // What does not fit into a byte is an error of the cycle, and leaves everything as it was.

@@ -70,7 +70,7 @@ impl Ends {
         goals
     }
 
-    /// What a cycle has shown, behind one that ended with `before`, which the first one has not: it waits for nothing. `entered` is brought up to date.
+    /// What a cycle has shown, after one that ended with `before`, which the first one has not: it waits for nothing. `entered` is brought up to date.
     pub(crate) fn shown(&self, before: Option<&Blocked>, cycle: &Cycle, entered: &mut Entered) -> BTreeSet<Goal> {
         let mut shown = BTreeSet::new();
         let cleared: Vec<usize> = cycle.cleared().collect();

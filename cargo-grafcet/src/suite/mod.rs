@@ -50,7 +50,7 @@ Exit code 1 says that something is not shown, or that a transition never clears;
 pub(crate) struct Tests {
     #[command(flatten)]
     pub(crate) charts: Charts,
-    /// Each pair of transitions one behind the other, too
+    /// Each pair of transitions one after the other, too
     #[arg(long)]
     pub(crate) pairs: bool,
     /// Write the scripts to NAME-1.script and so on in this folder

@@ -192,7 +192,7 @@ fn worth(goals: &BTreeSet<Goal>) -> (usize, usize) {
     (goals.len(), goals.iter().filter(|goal| matches!(goal, Goal::Waited(_))).count())
 }
 
-/// From the beginning to a last cycle behind the node at a place.
+/// From the beginning to a last cycle after the node at a place.
 fn way<'c>(nodes: &[(Node<'c>, usize)], mut at: usize, last: Node<'c>) -> Vec<Node<'c>> {
     let mut way = vec![last];
     while at != 0 {

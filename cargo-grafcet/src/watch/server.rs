@@ -66,7 +66,7 @@ impl Site {
         ["127.0.0.1", "localhost"].iter().any(|name| host == format!("{name}:{}", self.port).as_bytes())
     }
 
-    /// What stands behind the token in a path.
+    /// What stands after the token in a path.
     fn behind_token<'p>(&self, path: &'p str) -> Option<&'p str> {
         let (token, rest) = path.strip_prefix('/')?.split_once('/')?;
         // How long it takes says nothing of where they differ.

@@ -107,7 +107,7 @@ fn a_wrong_byte_is_a_gap_and_nothing_untrue() {
             for one in &shown {
                 assert!(truth.contains(one), "byte {place}: {one:?}");
             }
-            // The states behind it bring it back, unless it was at the end.
+            // The states after it bring it back, unless it was at the end.
             let is_back = line.unknown.is_none() && shown.last() == truth.last();
             assert!(is_back || place + 120 > bytes.len(), "byte {place}: {:?}", line.unknown);
             // A byte between frames is not missed; without the last zero, the last frame is still to come.

@@ -161,7 +161,7 @@ fn what_is_not_so_is_no_verdict() {
     let not_understood = [
         (
             "silent",
-            "there is no witness in it: no line `1` and behind it the number of the property (`b0`), and no line `0`",
+            "there is no witness in it: no line `1` and after it the number of the property (`b0`), and no line `0`",
         ),
         ("stops", "the witness does not end with a line `.`"),
         ("narrow", "values, and the circuit has"),

@@ -23,7 +23,7 @@ pub enum Question {
     NoCycle,
     /// Whether what is assumed to come again and again, with this number, never comes.
     NeverComes(usize),
-    /// Whether what is assumed to come one behind the other, with this number, is asked for at no time.
+    /// Whether what is assumed to come one after the other, with this number, is asked for at no time.
     SaysNothing(usize),
     /// Whether the plant with this number stays in its initial situation, whatever the chart does.
     StandsStill(usize),
@@ -59,7 +59,7 @@ impl Question {
 pub enum Change {
     /// A transition clears.
     Clears(TransitionId),
-    /// A step is active behind it and was not before.
+    /// A step is active after it and was not before.
     Activates(StepId),
     /// It is the other way round.
     Deactivates(StepId),

@@ -1,7 +1,7 @@
 //! A set of situations as a decision diagram: as many bytes as the chart has structure, where a list has as many as there are situations.
 //!
 //! It is zero-suppressed: a node asks for one step, and what it does not ask for is inactive. So steps that exclude each other are a chain of nodes, and branches
-//! that have nothing to do with each other stand one behind the other.
+//! that have nothing to do with each other stand one after the other.
 
 use crate::list::PushAll;
 use crate::model::{Id, StepId};
@@ -14,7 +14,7 @@ const END: u8 = 1;
 /// The node of a step: where to go on where it is inactive, and where it is active.
 type Node = [u8; 3];
 
-/// The nodes of the situations, each behind those to which it leads, from number 2 on; the last one is the first that is asked. None where a byte is not enough for
+/// The nodes of the situations, each after those to which it leads, from number 2 on; the last one is the first that is asked. None where a byte is not enough for
 /// their numbers, or those of the steps. The steps of each situation are ascending.
 pub(super) fn diagram(situations: &[&[StepId]]) -> Option<Vec<u8>> {
     let mut nodes = Nodes { numbers: Map::new(), bytes: Vec::new() };

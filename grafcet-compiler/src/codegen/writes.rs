@@ -10,7 +10,7 @@ use crate::visit::{self, Locals, Visit};
 
 /// Whether the block writes the name whatever happens in it: by a statement of its own, not inside another.
 pub(super) fn always(block: &Block, name: &Ident) -> bool {
-    // Behind a pattern that binds the name it is another one.
+    // After a pattern that binds the name it is another one.
     let own =
         block.stmts.iter().take_while(|stmt| !matches!(stmt, Stmt::Local(local) if visit::binds(&local.pat, name)));
     { own }.any(|stmt| matches!(stmt, Stmt::Expr(expr, _) if assigned(expr).contains(&name)))

@@ -1,4 +1,4 @@
-//! Rust of the user that may never come back, as `todo!()`: what is generated behind it is never reached, and rustc and Clippy would say so.
+//! Rust of the user that may never come back, as `todo!()`: what is generated after it is never reached, and rustc and Clippy would say so.
 
 use syn::{Block, Macro};
 

@@ -88,7 +88,7 @@ pub struct Model {
     pub assumptions: Vec<Assumption>,
     /// `assume often door_closed;`: what comes again and again, in source order.
     pub often: Vec<Expr>,
-    /// `assume valve leads_to full within 10s;`: what happens one behind the other outside of the chart, in source order.
+    /// `assume valve leads_to full within 10s;`: what happens one after the other outside of the chart, in source order.
     pub orders: Vec<Order>,
     /// `assume cycle within 100ms;`: the longest time between two cycles, in ticks.
     pub longest_cycle: Option<u32>,
@@ -158,7 +158,7 @@ pub struct Assumption {
 
 /// `assume valve leads_to full within 10s;` What is not so of what has happened up to the end of a cycle does not happen.
 pub struct Order {
-    /// That something leads to something else, or comes before it. What comes behind is a condition over inputs.
+    /// That something leads to something else, or comes before it. What comes after is a condition over inputs.
     pub claim: Claim,
     /// The whole line without its `;`.
     pub mark: Mark,

@@ -121,7 +121,7 @@ fn on(input: &mut Input) -> Result<Option<(Span, syn::Expr)>> {
     }
     let event = condition::before_block(input, what)?;
     if input.at("=>") || input.at("->") || input.at(":") {
-        let message = "what happens then stands right behind the event: `on rising(a) n = 1;`; a transition stands after the steps";
+        let message = "what happens then stands right after the event: `on rising(a) n = 1;`; a transition stands after the steps";
         return Err(input.error(message));
     }
     Ok(Some((span, event)))

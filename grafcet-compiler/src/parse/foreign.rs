@@ -54,7 +54,7 @@ pub(super) fn of_rust(input: &Input, word: &str) -> Result<()> {
         "use" | "struct" | "enum" | "type" | "mod" | "impl" | "trait" | "extern" | "unsafe" | "macro_rules"
             if named =>
         {
-            "items of Rust stand outside of the chart, in front of `grafcet!` or behind it"
+            "items of Rust stand outside of the chart, before `grafcet!` or after it"
         }
         _ => return Ok(()),
     }))

@@ -80,7 +80,7 @@ fn dialect(input: &mut Input, sink: &mut Sink) -> Result<Dialect> {
         plant::KEYWORD => (Dialect::Sfc, plant::KEYWORD),
         "grafcet" | "graphcet" | "grafset" => (Dialect::Grafcet, "grafcet"),
         "plant" if input.next().word().is_some() => {
-            return Err(input.error("a plant stands behind the chart that moves it, in the same call"));
+            return Err(input.error("a plant stands after the chart that moves it, in the same call"));
         }
         // A chart by another name is read on, so that it still gives its types.
         "ablaufsprache" | "ablaufkette" if input.next().word().is_some() => (Dialect::Sfc, "sfc"),

@@ -340,7 +340,7 @@ impl<'a> Input<'a> {
         }
     }
 
-    /// What `from` stands before and this input behind.
+    /// What `from` stands before and this input after.
     pub(super) fn since(&self, from: &Self) -> Mark {
         Mark { start: from.span(), end: self.last() }
     }

@@ -88,7 +88,7 @@ fn one_clearing(inside: &mut Input) -> Result<Clearing> {
     // `level => 3`
     if inside.literal().is_some() {
         return Err(
-            inside.error("behind `=>` stands an action on clearing, such as `n = 0`; a comparison is written `>=`")
+            inside.error("after `=>` stands an action on clearing, such as `n = 0`; a comparison is written `>=`")
         );
     }
     let target = target::parse(inside)?;

@@ -25,7 +25,7 @@ pub(super) struct Unbound {
 }
 
 impl Unbound {
-    /// What stands behind `if` or `while`, where `let` may stand between `&&`.
+    /// What stands after `if` or `while`, where `let` may stand between `&&`.
     fn condition(&mut self, condition: &mut Expr) {
         match condition {
             Expr::Let(binding) => self.expr(&mut binding.expr),
@@ -42,7 +42,7 @@ impl Visit for Unbound {
     fn expr(&mut self, expr: &mut Expr) {
         match expr {
             Expr::Let(binding) => {
-                let message = "`let` has no value and binds names only behind `if` and `while` of Rust; whether a pattern fits is \
+                let message = "`let` has no value and binds names only after `if` and `while` of Rust; whether a pattern fits is \
                                written `matches!(…)`, as in `matches!(value, Some(x) if x > 3)`";
                 self.notes.push((binding.let_token.span.into(), message.to_owned()));
                 self.expr(&mut binding.expr);

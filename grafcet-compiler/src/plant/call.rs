@@ -1,4 +1,4 @@
-//! The tokens of a call, taken apart: the chart, and the plants behind it.
+//! The tokens of a call, taken apart: the chart, and the plants after it.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
@@ -12,7 +12,7 @@ pub(crate) struct Call {
     /// What stands between its braces.
     pub(crate) body: TokenStream,
     pub(crate) plants: Vec<Written>,
-    /// What stands behind and is none.
+    /// What stands after and is none.
     pub(crate) rest: TokenStream,
 }
 
@@ -91,7 +91,7 @@ impl Call {
     }
 }
 
-/// The plant that begins here, and where the tokens behind it begin.
+/// The plant that begins here, and where the tokens after it begin.
 fn plant(all: &[TokenTree], from: usize) -> Option<(Written, usize)> {
     let (mut cfgs, mut before, mut at) = (TokenStream::new(), TokenStream::new(), from);
     loop {

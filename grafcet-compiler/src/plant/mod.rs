@@ -1,4 +1,4 @@
-//! `plant Cylinder { … }` behind the chart of a call: what the machine does on the chart's outputs, for proofs and for the host.
+//! `plant Cylinder { … }` after the chart of a call: what the machine does on the chart's outputs, for proofs and for the host.
 //!
 //! A plant is an `sfc` with inputs that nobody drives. So nothing after this room knows of choices:
 //!

@@ -68,7 +68,7 @@ pub(super) fn refuse(body: &Body, sink: &mut Sink) {
             ) => {
                 sink.notation(
                     *keyword,
-                    "how often a plant is looked at, what comes again and again, and what behind what, stands in the chart",
+                    "how often a plant is looked at, what comes again and again, and what after what, stands in the chart",
                 );
             }
             Item::Decl(decl) if matches!(decl.kind, DeclKind::Param) => {
@@ -92,12 +92,12 @@ fn clock(chart: &TokenStream) -> TokenStream {
     TokenStream::new()
 }
 
-/// The names behind `input`, `output`, `var`, `fault` and `choice`.
+/// The names after `input`, `output`, `var`, `fault` and `choice`.
 fn declared_names(body: TokenStream) -> Vec<String> {
     let mut names = Vec::new();
     let all = body.into_iter().list();
     for item in all.split(|token| is_sign(Some(token), ';')) {
-        // A declaration may stand behind the braces of a step.
+        // A declaration may stand after the braces of a step.
         let is_word_of = |token: &TokenTree| {
             ["input", "output", "var", "fault", "choice"].iter().any(|word| is_word(Some(token), word))
         };

@@ -11,7 +11,7 @@ pub struct Deadline<'m> {
     pub reading: Expr<'m>,
     /// What may come. The soonest counts.
     pub waits: Vec<Wait<'m>>,
-    /// Steps that have a time, and what tells behind a cycle that it is over, where they are active.
+    /// Steps that have a time, and what tells after a cycle that it is over, where they are active.
     pub late: Vec<(StepId, Expr<'m>)>,
 }
 

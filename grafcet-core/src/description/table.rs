@@ -167,7 +167,7 @@ impl<
     const LETS: usize,
 > Described<T, ACTIONS, WORDS, ENDS, PARTIALS, MACROS, STEPS, TRANSITIONS, LETS>
 {
-    // Each list with the reader behind it, and then alone: a constant that others borrow is linked as a whole.
+    // Each list with the reader after it, and then alone: a constant that others borrow is linked as a whole.
     const READ_ACTIONS: ([Action<'static>; ACTIONS], Reader) =
         actions(Reader { texts: T::TEXTS, numbers: T::NUMBERS, at: 0, actions: &[], words: &[], ends: &[] });
     const ACTIONS: [Action<'static>; ACTIONS] = Self::READ_ACTIONS.0;

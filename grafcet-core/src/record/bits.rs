@@ -63,7 +63,7 @@ impl<'b> Reader<'b> {
         Self { bytes, at: 0 }
     }
 
-    /// A number of so many bits, of at most 32; `None` behind the end.
+    /// A number of so many bits, of at most 32; `None` after the end.
     pub fn take(&mut self, bits: usize) -> Option<u32> {
         let (mut value, mut done) = (0, 0);
         while done < bits {
@@ -77,7 +77,7 @@ impl<'b> Reader<'b> {
         Some(value)
     }
 
-    /// Whether so many bits follow that all are zero, as they are behind the last value.
+    /// Whether so many bits follow that all are zero, as they are after the last value.
     pub fn is_empty(&mut self, bits: usize) -> bool {
         (0..bits).all(|_| self.take(1) == Some(0))
     }

@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 
 use super::bits::{Reader, Writer};
 
-/// How many bytes a value takes in the format of `postcard`: what to write behind `in` of
+/// How many bytes a value takes in the format of `postcard`: what to write after `in` of
 /// [`recordable!`](crate::recordable) is the most of all values. `None` where the type refuses to be written.
 ///
 /// A `u8`, an `i8`, a `bool` and the choice of a variant take one byte each, other integers at most 3 (16 bits), 5 (32 bits) or 10 (64 bits), floats as many as in memory.

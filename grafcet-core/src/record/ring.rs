@@ -37,7 +37,7 @@ pub(crate) struct Ring {
     blocks: usize,
     /// The number of the block that is being filled, from one on; zero: there is none.
     number: u32,
-    /// How much of it is filled, behind its header, and the check sum of that.
+    /// How much of it is filled, after its header, and the check sum of that.
     filled: usize,
     check: u16,
     /// Which of the two places is written next.
@@ -133,7 +133,7 @@ impl Ring {
 pub(crate) struct Found<'b> {
     pub(crate) owner: Owner,
     pub(crate) number: u32,
-    /// What stands behind the header, as far as it is valid.
+    /// What stands after the header, as far as it is valid.
     pub(crate) content: &'b [u8],
     /// The last entry was being written when the program ended.
     pub(crate) torn: bool,

@@ -6,7 +6,7 @@ use crate::shape::Shape;
 
 /// What it costs to break a line.
 const BROKEN: i32 = 12;
-/// And to break it behind a step: one goes on from a transition to a step on another page.
+/// And to break it after a step: one goes on from a transition to a step on another page.
 const AFTER_STEP: i32 = 8;
 /// What it costs to leave a page empty.
 const EMPTY: i32 = 24;

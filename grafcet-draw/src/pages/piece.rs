@@ -99,7 +99,7 @@ impl Piece {
     pub(super) fn cut(self, axis: Axis, at: i32, number: &mut usize) -> (Self, Self) {
         let edge = if self.broken(axis, at).next().is_some() { axis.edge() } else { 0 };
         let (mut first, mut second) = (Self::default(), Self::default());
-        // What is behind the cut stands so much further back.
+        // What is after the cut stands so much further back.
         let back = axis.with((0, 0), edge - at);
         let mut behind = Drawing::default();
         for shape in self.drawing.shapes {

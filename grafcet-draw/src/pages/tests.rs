@@ -48,8 +48,8 @@ fn what_fits_stays_whole() {
 fn a_sequence_goes_on_from_a_transition_to_a_step_on_the_next_piece() {
     let pieces = pieces(sequence(3), (30, 20));
     let [first, second] = &pieces[..] else { panic!("{pieces:?}") };
-    // In front of the frame of the third step, row 18, three rows would be too many behind 17; two steps and the text of the second transition are
-    // 16 rows, and three for the connector: it is cut behind row 16.
+    // In front of the frame of the third step, row 18, three rows would be too many after 17; two steps and the text of the second transition are
+    // 16 rows, and three for the connector: it is cut after row 16.
     assert_eq!(first.drawing.height, 20);
     assert_eq!((first.drawing.places.len(), second.drawing.places.len()), (2, 1));
     let ([below], [above]) = (&first.ends[..], &second.ends[..]) else { panic!("{pieces:?}") };
@@ -57,7 +57,7 @@ fn a_sequence_goes_on_from_a_transition_to_a_step_on_the_next_piece() {
     // The bar and its text are still above: two texts of each transition and one of each step.
     assert_eq!(texts(&first.drawing), 6);
     assert_eq!(texts(&second.drawing), 1);
-    // A line of one piece ends in front of the connector, that of the other one begins behind it.
+    // A line of one piece ends in front of the connector, that of the other one begins after it.
     let line = |piece: &Piece, at: (i32, i32)| {
         piece
             .drawing

@@ -172,7 +172,7 @@ impl Scope<'_> {
         Ok(lines)
     }
 
-    /// One assignment stands behind its arrow.
+    /// One assignment stands after its arrow.
     fn arm(&mut self, pattern: &str, body: &[Statement], depth: usize) -> Result<Vec<String>, String> {
         let indent = "    ".repeat(depth);
         if body.is_empty() {

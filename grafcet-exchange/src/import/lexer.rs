@@ -16,7 +16,7 @@ pub(super) enum Token {
     Sign(&'static str),
 }
 
-/// `(* … *)`, or `/* … */` since the third edition of the standard: what stands behind its beginning, its beginning and its end.
+/// `(* … *)`, or `/* … */` since the third edition of the standard: what stands after its beginning, its beginning and its end.
 fn block_comment(text: &str) -> Option<(&str, &'static str, &'static str)> {
     let pairs = [("(*", "*)"), ("/*", "*/")];
     pairs.into_iter().find_map(|(open, close)| text.strip_prefix(open).map(|inside| (inside, open, close)))
@@ -184,7 +184,7 @@ impl<'t> Lexer<'t> {
                 let value = self.taken(|letter| letter.is_alphanumeric() || letter == '_');
                 Ok(Token::Word(format!("{word}#{value}")))
             }
-            _ => Err(self.wrong(start, format!("behind `{word}#` stands no value"))),
+            _ => Err(self.wrong(start, format!("after `{word}#` stands no value"))),
         }
     }
 

@@ -112,7 +112,7 @@ const LEVELS: [&[(&str, Op)]; 7] = [
 /// Nothing that people write is nested so deep.
 pub(super) const DEEPEST: usize = 100;
 
-/// An expression, with or without what ends a statement behind it.
+/// An expression, with or without what ends a statement after it.
 pub(super) fn expression(text: &Piece) -> Result<Expr, Wrong> {
     let lexed = lex(&text.text, text.at.start)?;
     let mut cursor = Cursor::new(&lexed, text.at.clone());
@@ -150,7 +150,7 @@ impl<'t> Cursor<'t> {
         self.tokens.get(self.at).map(|(token, _)| token)
     }
 
-    /// Of the next token, or behind the last one.
+    /// Of the next token, or after the last one.
     pub(super) fn here(&self) -> Span {
         let last = || self.tokens.last().map_or(self.whole.clone(), |(_, span)| span.end..span.end);
         self.tokens.get(self.at).map_or_else(last, |(_, span)| span.clone())
@@ -294,7 +294,7 @@ impl<'t> Cursor<'t> {
         })
     }
 
-    /// Behind the parenthesis.
+    /// After the parenthesis.
     fn arguments(&mut self) -> Result<Arguments, Wrong> {
         let at = self.here();
         let (arguments, outputs) = self.arguments_and_outputs()?;

@@ -15,7 +15,7 @@ use super::{Chart, Wrong};
 /// No line of a chain is longer, if it can be.
 pub(super) const WIDTH: usize = 110;
 
-/// The text of one chart, and of the functions behind it.
+/// The text of one chart, and of the functions after it.
 pub(super) struct Source {
     chart: Vec<String>,
     functions: Vec<String>,

@@ -117,7 +117,7 @@ impl Reader<'_> {
             while self.cursor.peek().is_some() && !self.cursor.is_word(end) {
                 self.cursor.at += 1;
             }
-            // With comments that stand behind the last declaration.
+            // With comments that stand after the last declaration.
             let from = pou.variables.last().map_or(pou.at.end, |variable| variable.at.end);
             pou.body = self.text[from.min(begin)..self.cursor.here().start].trim().to_owned();
         }
@@ -168,7 +168,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// A type with the value behind it, up to the semicolon.
+    /// A type with the value after it, up to the semicolon.
     fn ty(&mut self) -> Result<(String, Option<Piece>), Wrong> {
         let from = self.cursor.here().start;
         let (mut to, mut init) = (from, None);
@@ -210,7 +210,7 @@ impl Reader<'_> {
                     self.cursor.expr()?;
                     more.push(self.text[from..self.cursor.before().end].to_owned());
                 }
-                // Behind the time stand indicators, which nothing depends on.
+                // After the time stand indicators, which nothing depends on.
                 let has_time = matches!(&*qualifier.to_uppercase(), "L" | "D" | "SD" | "DS" | "SL");
                 time = more.into_iter().next().filter(|_| has_time);
                 self.cursor.need(")")?;
@@ -251,7 +251,7 @@ impl Reader<'_> {
         self.cursor.need_word("to")?;
         let to = self.steps()?;
         let head = self.cursor.before().end;
-        // Behind `:` stands another language.
+        // After `:` stands another language.
         let language = if self.cursor.sign(":") { Some("IL, FBD or LD".to_owned()) } else { None };
         if language.is_none() {
             self.cursor.need(":=")?;
@@ -262,7 +262,7 @@ impl Reader<'_> {
     }
 }
 
-/// A comment belongs to what ends in front of it on its line, else to what begins behind it.
+/// A comment belongs to what ends in front of it on its line, else to what begins after it.
 fn comments(text: &str, lexed: &Lexed, (heads, ends): (&[(Span, Item)], &[usize]), pous: &mut [Pou]) {
     for (words, at) in &lexed.comments {
         let on_line = |span: &Span| span.end <= at.start && !text[span.end..at.start].contains('\n');

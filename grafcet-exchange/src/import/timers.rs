@@ -87,7 +87,7 @@ impl Scope<'_> {
     }
 }
 
-/// The calls of an instance with the conditions around them; false where one stands in a loop, or in a branch behind others.
+/// The calls of an instance with the conditions around them; false where one stands in a loop, or in a branch after others.
 fn guarded<'s>(
     body: &'s [Statement],
     instance: &str,

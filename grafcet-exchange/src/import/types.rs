@@ -67,7 +67,7 @@ impl Enum {
     }
 }
 
-/// Behind `TYPE`, up to `END_TYPE`. What is no enum and no other name is passed over.
+/// After `TYPE`, up to `END_TYPE`. What is no enum and no other name is passed over.
 pub(super) fn textual(cursor: &mut Cursor<'_>, text: &str) -> Vec<Type> {
     let mut types = Vec::new();
     while cursor.peek().is_some() && !cursor.word("end_type") {

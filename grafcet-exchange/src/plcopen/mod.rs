@@ -35,7 +35,7 @@ pub enum Edition {
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Options {
     /// What is done in each scan stands at a step of its own that is always active, in a network beside the chart; else the initial step sets it. Beremiz
-    /// declares an action behind the first step that has it, and there the other steps that it asks for are not known yet. CODESYS has one initial step.
+    /// declares an action after the first step that has it, and there the other steps that it asks for are not known yet. CODESYS has one initial step.
     pub scan_step: bool,
     /// Which XML it is.
     pub edition: Edition,

@@ -167,7 +167,7 @@ impl<'c> Network<'c> {
         1 + step
     }
 
-    /// Of the line that leads on; that of its actions is behind it.
+    /// Of the line that leads on; that of its actions is after it.
     fn step_pin(step: usize) -> usize {
         1 + 2 * step
     }

@@ -155,7 +155,7 @@ fn object(chart: &Chart, object: &Object<'_>) -> Option<Element> {
     })
 }
 
-/// What a step or a transition has behind its pins.
+/// What a step or a transition has after its pins.
 fn inside(object: &Object<'_>, element: Element) -> Element {
     match &object.kind {
         Kind::Step(_, Some(pin)) => element.child(connection_out("ConnectionPointOutAction", *pin)),

@@ -132,7 +132,7 @@ fn object(object: &Object<'_>) -> Element {
     inside(object, element)
 }
 
-/// What an element has behind its pins.
+/// What an element has after its pins.
 fn inside(object: &Object<'_>, mut element: Element) -> Element {
     match &object.kind {
         Kind::Step(step, action) => {

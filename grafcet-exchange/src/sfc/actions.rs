@@ -3,7 +3,7 @@
 //! A boolean that steps drive without conditions is named by itself. What depends on conditions and values is done by one action that the initial step
 //! sets (S) and nothing resets, so that it runs in each scan: it asks which step is active. The standard lets a PLC do without the final call of an action,
 //! which would have to switch off; and where a step ends while another with the same boolean is active, Beremiz lets the one
-//! decide that stands behind.
+//! decide that stands after.
 
 use std::collections::{BTreeMap, BTreeSet};
 

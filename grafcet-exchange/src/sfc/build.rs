@@ -104,7 +104,7 @@ fn priority(model: &Model, id: TransitionId) -> Option<usize> {
     (all.len() > 1).then_some(place + 1)
 }
 
-/// What is done in each scan, by an action that the initial step sets and nothing resets: what depends on conditions and values, and behind it what edges compare with in the next
+/// What is done in each scan, by an action that the initial step sets and nothing resets: what depends on conditions and values, and after it what edges compare with in the next
 /// one, whose transitions come first.
 fn each_scan(
     scope: &mut Scope<'_>,

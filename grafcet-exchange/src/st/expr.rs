@@ -123,7 +123,7 @@ pub(crate) struct Scope<'m> {
     pub(crate) macro_timers: BTreeMap<MacroId, String>,
     /// Of an edge the variables for rising, falling and the value before.
     pub(crate) edges: BTreeMap<EdgeId, [String; 3]>,
-    /// The same of edges in the actions of an `sfc`, which compare what there is behind the evolution.
+    /// The same of edges in the actions of an `sfc`, which compare what there is after the evolution.
     pub(crate) acting: BTreeMap<EdgeId, [String; 3]>,
     /// Of what edges and delays can be.
     pub(crate) remembers: Remembers,

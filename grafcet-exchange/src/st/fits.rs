@@ -47,7 +47,7 @@ fn partials(model: &Model, refused: &mut Vec<Refused>) {
     }
 }
 
-/// Transitions without a step in front of them or behind them.
+/// Transitions without a step in front of them or after them.
 fn loose(model: &Model, refused: &mut Vec<Refused>) {
     for transition in model.transitions.values() {
         if transition.sources.is_empty() || transition.targets.is_empty() {

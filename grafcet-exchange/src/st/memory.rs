@@ -20,7 +20,7 @@ pub(crate) struct Look<'a> {
     pub(crate) again: &'a str,
     /// Where delays are looked at only if it is true.
     pub(crate) settled: Option<&'a str>,
-    /// Before the evolution, or behind it.
+    /// Before the evolution, or after it.
     pub(crate) moment: Moment,
 }
 
@@ -100,7 +100,7 @@ impl Frame {
         Ok(statements)
     }
 
-    /// Edges (as rising ones) and delays of what the chart itself changes, each behind those that it asks for.
+    /// Edges (as rising ones) and delays of what the chart itself changes, each after those that it asks for.
     pub(crate) fn own_memory(
         &mut self,
         scope: &mut Scope<'_>,
@@ -272,7 +272,7 @@ impl Own<'_, '_> {
         Ok(())
     }
 
-    /// What a condition is at this moment, behind what it asks for.
+    /// What a condition is at this moment, after what it asks for.
     fn value(&mut self, of: &Expr) -> Result<Text, Refused> {
         let at = At { active: self.look.active, before: &BTreeMap::new(), times: true, mark: of.mark };
         self.scope.moment = self.look.moment;

@@ -40,7 +40,7 @@ impl Names {
         name
     }
 
-    /// A step of the chart, which stands in the name space of variables: where one of these has its name, it gets `Step` behind it.
+    /// A step of the chart, which stands in the name space of variables: where one of these has its name, it gets `Step` after it.
     pub(crate) fn of_step(&mut self, wanted: &str) -> String {
         if !self.given.contains(&plain(wanted).to_lowercase()) {
             return self.of_chart(wanted);

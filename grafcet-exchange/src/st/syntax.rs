@@ -45,9 +45,9 @@ impl Statement {
 pub(crate) struct Variable {
     pub(crate) name: String,
     pub(crate) ty: String,
-    /// Behind `:=`.
+    /// After `:=`.
     pub(crate) init: Option<String>,
-    /// Behind `//`.
+    /// After `//`.
     pub(crate) note: String,
 }
 

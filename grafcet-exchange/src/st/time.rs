@@ -55,7 +55,7 @@ impl Scope<'_> {
         match operator {
             Binary::Add => {
                 self.adds_times = true;
-                // What is known stands behind.
+                // What is known stands after.
                 let (a, b, known) = if known[0].is_some() { (b, a, known[0]) } else { (a, b, known[1]) };
                 let [first, second] =
                     [self.tree(a, &Kind::Time, at)?.text, self.tree(b, &Kind::Time, at)?.within(strength::PRODUCT)];

@@ -30,11 +30,11 @@ pub(super) fn read(circuit: &Circuit, text: &str) -> Result<Answer, String> {
             _ => {}
         }
     }
-    Err("there is no witness in it: no line `1` and behind it the number of the property (`b0`), and no line `0`"
+    Err("there is no witness in it: no line `1` and after it the number of the property (`b0`), and no line `0`"
         .to_owned())
 }
 
-/// Whether the line behind is the property, `b0`; it is taken, then.
+/// Whether the line after is the property, `b0`; it is taken, then.
 fn is_property(lines: &mut Lines<'_>) -> bool {
     let is = |line: &str| {
         line.split_whitespace().all(|word| {

@@ -127,7 +127,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
         next
     }
 
-    /// The fields go on with what they hold at the end of the cycle, where this is one, the others with what they hold behind the evolution.
+    /// The fields go on with what they hold at the end of the cycle, where this is one, the others with what they hold after the evolution.
     fn of_evolution(
         mut self,
         kept: Vec<(Kept, bool)>,

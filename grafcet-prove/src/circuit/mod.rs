@@ -153,7 +153,7 @@ pub struct Bad {
 pub struct Deadline {
     /// Its number in the chart.
     pub property: usize,
-    /// The number of the latch that is set while it is waited for; those of the time since then stand behind it.
+    /// The number of the latch that is set while it is waited for; those of the time since then stand after it.
     pub waits: usize,
     pub width: usize,
 }
@@ -198,7 +198,7 @@ pub struct Circuit {
     pub fields: Vec<Field>,
     /// Holds in every cycle: what is assumed, and that nothing panics.
     pub constraint: Lit,
-    /// The same without what is assumed to come one behind the other.
+    /// The same without what is assumed to come one after the other.
     pub without_orders: Lit,
     /// In this cycle arithmetic leaves its type.
     pub overflow: Lit,
@@ -215,7 +215,7 @@ pub struct Circuit {
     /// What is taken to come again and again: what is assumed so, in the order of the chart, that time passes, and that nothing is waited for which
     /// is assumed to come some time.
     pub often: Vec<Lit>,
-    /// By what is assumed to come one behind the other: it is asked for in this cycle.
+    /// By what is assumed to come one after the other: it is asked for in this cycle.
     pub orders: Vec<Lit>,
     /// By plant: its situation at the end of this cycle is not the initial one.
     pub moves: Vec<Lit>,

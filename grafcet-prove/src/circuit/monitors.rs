@@ -1,4 +1,4 @@
-//! Properties over more than one cycle, and what is assumed to come one behind the other: what has been seen so far is latches beside those of the chart.
+//! Properties over more than one cycle, and what is assumed to come one after the other: what has been seen so far is latches beside those of the chart.
 
 use grafcet_compiler::analysis::combinational::written_out;
 use grafcet_compiler::model::{Claim, Expr, Model, Remembers, TimeRef};
@@ -19,7 +19,7 @@ pub(super) struct Monitors {
     pub(super) refused: Vec<(usize, Refused)>,
 }
 
-/// What is assumed to come one behind the other.
+/// What is assumed to come one after the other.
 pub(super) struct Orders {
     /// It is so up to the end of this cycle.
     pub(super) hold: Lit,
@@ -54,7 +54,7 @@ impl Monitors {
         self.fields.push((name, latches));
     }
 
-    /// The latches, behind those that are there.
+    /// The latches, after those that are there.
     pub(super) fn finish(self, latches: &mut Vec<Latch>, fields: &mut Vec<Field>) -> Ended {
         let (mut deadlines, mut timers) = (Vec::new(), Vec::new());
         for (number, (name, new)) in self.fields.into_iter().enumerate() {
@@ -204,7 +204,7 @@ impl Lowering<'_, '_> {
         self.aig.and(then, !next)
     }
 
-    /// What is assumed to come one behind the other.
+    /// What is assumed to come one after the other.
     pub(super) fn orders(&mut self, monitors: &mut Monitors, end: &Env) -> Result<Orders, Refused> {
         let mut orders = Orders { hold: Lit::TRUE, often: Vec::new(), triggers: Vec::new() };
         for (number, order) in self.program.model.orders.iter().enumerate() {

@@ -105,7 +105,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
         Ok(given)
     }
 
-    /// The latches of the plants, behind those of the chart.
+    /// The latches of the plants, after those of the chart.
     pub(super) fn finish_plants(
         &mut self,
         parts: Vec<Part<'p, 'm>>,

@@ -148,7 +148,7 @@ impl Field {
                 bits.take(usize::from(*marked)).ok_or_else(torn)?;
                 match (active.get(place), states.get(place)) {
                     (Some(steps), _) => recalled.steps.extend(steps.iter().copied()),
-                    // Behind the steps: none of them, or that the first cycle is still to come.
+                    // After the steps: none of them, or that the first cycle is still to come.
                     (None, Some(state)) => recalled.first |= state == "INIT",
                     (None, None) => return Err(torn()),
                 }
@@ -292,7 +292,7 @@ fn part(parts: &[TokenTree], name: &str) -> Option<Group> {
     parts[at..].iter().find_map(|tree| if let TokenTree::Group(group) = tree { Some(group.clone()) } else { None })
 }
 
-/// What stands behind `chart Motor` and the fingerprint.
+/// What stands after `chart Motor` and the fingerprint.
 fn number_of(parts: &[TokenTree]) -> Option<u32> {
     let text = parts.get(3)?.to_string();
     text.trim_end_matches("u32").parse().ok()

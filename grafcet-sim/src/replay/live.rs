@@ -10,7 +10,7 @@ use crate::value::Value;
 
 /// A chart that is followed frame by frame, in as much memory as the chart itself takes: what was shown is not kept.
 ///
-/// After a frame that was lost or damaged nothing is shown up to the next state that the controller tells; the first cycle behind it says so
+/// After a frame that was lost or damaged nothing is shown up to the next state that the controller tells; the first cycle after it says so
 /// ([`Cycle::gap`]).
 ///
 /// ```

@@ -56,7 +56,7 @@ impl Paper {
         let length = (trace.cycles.len() as u64 * 14).clamp(640, 8000);
         let mut paper = Self { body: String::new(), width: left + length + 20, height: TOP, left, length, axis };
         paper.rows(trace);
-        // Behind the rows, which tell how high it all is.
+        // After the rows, which tell how high it all is.
         let rows = std::mem::take(&mut paper.body);
         paper.body.push_str("<g class=\"cg\">");
         paper.ticks(trace);

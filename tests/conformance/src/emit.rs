@@ -122,7 +122,7 @@ pub(crate) fn actions(model: &Model, by: &str, holds: &str, does: impl Fn(&str, 
     format!("#[derive(Default)] struct {by}({holds});\nimpl {}Actions for {by} {{\n{methods}}}", model.name)
 }
 
-/// What stands behind an exchange of the recipe: a chart with ranges may refuse it.
+/// What stands after an exchange of the recipe: a chart with ranges may refuse it.
 pub(crate) fn taken<'o>(model: &Model, or: &'o str) -> &'o str {
     if model.params.values().any(|param| param.range.is_some()) { or } else { "" }
 }

@@ -92,7 +92,7 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
                     made.features.iter().for_each(|kind| counts.kinds.entry(kind).or_default()[ACCEPTED] += 1);
                     let name = format!("{}{number}", &name[..1]);
                     let by = if options.printed { PRINTED[batch.len() % 2] } else { emit::MACRO };
-                    // What a record shows of a cycle by hand is the state behind it.
+                    // What a record shows of a cycle by hand is the state after it.
                     let forced = made.features.contains("forceable") && options.soak().is_none();
                     let recorded = options.is_recorded(number) && !forced;
                     // The source has to be the compiled chart's, token by token: its fragments are written out.

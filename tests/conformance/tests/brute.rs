@@ -72,7 +72,7 @@ fn an_active_target_of_an_any() {
 }
 
 /// `S1 -> S4 -> S5 -> S1` turns whenever `d` is held. With all that the inputs can do beside, in searches that turn until their
-/// bound, the situations behind these are more than the budget is enough for; the circle is found all the same.
+/// bound, the situations after these are more than the budget is enough for; the circle is found all the same.
 #[test]
 fn a_circle_in_a_chart_that_is_not_explored_to_its_end() {
     let chart = "input a, c, d, e: bool; input level: u8; var v0: bool; \

@@ -1,4 +1,4 @@
-//! What is assumed to come one behind the other: what is proved with it, what is broken without, and what says nothing.
+//! What is assumed to come one after the other: what is proved with it, what is broken without, and what says nothing.
 
 use std::time::Duration;
 
@@ -90,7 +90,7 @@ fn what_comes_first() {
     assert_eq!(broken(&tank("12s/Fill", "", claims)), [Some(1); 3]);
 }
 
-/// What comes first may be an edge; what comes behind may be a plant's.
+/// What comes first may be an edge; what comes after may be a plant's.
 #[test]
 fn edges_and_plants() {
     let call =
@@ -166,11 +166,11 @@ fn mistakes_are_said() {
     for (assumed, message) in [
         (
             "assume full leads_to valve;",
-            "what comes behind is the machine's doing, a condition over inputs, and `valve` is an output",
+            "what comes after is the machine's doing, a condition over inputs, and `valve` is an output",
         ),
         (
             "assume valve before Fill.X;",
-            "what comes behind is the machine's doing, a condition over inputs, and this is a step",
+            "what comes after is the machine's doing, a condition over inputs, and this is a step",
         ),
         ("assume valve leads_to full within 0s;", "nothing is answered in the cycle in which it is asked"),
         ("assume valve leads_to full within;", "after `within` stands how long it may take"),

@@ -245,7 +245,7 @@ fn a_property_may_follow_from_itself() {
         let task = Task::new(&circuit, circuit.bad[property].possible);
         certificate::fault(&task, &Invariant { excluded: Vec::new(), depth }, &Limit::none()).expect("no limit")
     };
-    // From any state of the latches on, `n` may be 7; behind a cycle without, it is not.
+    // From any state of the latches on, `n` may be 7; after a cycle without, it is not.
     assert!(fault(0, 0).is_some_and(|what| what.contains("bad can happen in it")));
     assert_eq!(fault(0, 1), None);
     assert!(fault(1, 1).is_some_and(|what| what.contains("follow from itself")));

@@ -9,7 +9,7 @@ use grafcet_compiler::program::counted;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Limit, Verdict, decide};
 
-/// The example for people: the controller, and behind it the machine.
+/// The example for people: the controller, and after it the machine.
 const FILE: &str = include_str!("../../../examples/charts/pick_and_place.rs");
 
 /// What stands in its call of the macro.

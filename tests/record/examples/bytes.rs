@@ -14,7 +14,7 @@ use grafcet_record::{Nobody, Storm};
 
 const CYCLES: u32 = 4_000;
 
-/// Behind the last byte that is not zero.
+/// After the last byte that is not zero.
 fn used(record: &[u8]) -> usize {
     record.iter().rposition(|byte| *byte != 0).map_or(0, |last| last + 1)
 }

@@ -1,4 +1,4 @@
-//! Bytes that are nearly right: with a few other bits, or behind check sums that fit them.
+//! Bytes that are nearly right: with a few other bits, or after check sums that fit them.
 
 use grafcet::record::Recordable;
 

@@ -135,7 +135,7 @@ fn a_value_takes_a_bit_and_its_bytes() {
     assert_eq!(bits(&put(&[(1, 1), (1, 8), (6, 8), (7, 8)])), Some(Order::Move { to: 3, speed: 7 }));
     // The same number in two bytes is not what is written.
     assert_eq!(bits(&put(&[(1, 1), (1, 8), (0x86, 8), (0, 8), (7, 8)])), None);
-    // No such variant, something behind the value, nothing.
+    // No such variant, something after the value, nothing.
     assert_eq!(bits(&put(&[(1, 1), (3, 8)])), None);
     assert_eq!(bits(&put(&[(1, 1), (0, 8), (1, 8)])), None);
     assert_eq!(bits(&[0; 6]), None);
@@ -177,7 +177,7 @@ fn a_value_that_does_not_fit_is_not_shown_as_another() {
 fn listed_variants_are_numbered_as_the_chart_lists_them() {
     let number = |mode| {
         let bytes = written(&CraneInputs { order: Order::None, mode });
-        // Behind the 41 bits of the order.
+        // After the 41 bits of the order.
         bytes[5] >> 1
     };
     assert_eq!([Mode::Manual, Mode::Off, Mode::Auto].map(number), [0, 1, 2]);

@@ -417,6 +417,6 @@ fn frames_show_what_the_record_shows() {
     let reasons: Vec<&str> = trace.gaps().map(|(_, gap)| gap.reason.as_str()).collect();
     assert_eq!(reasons, ["a frame was damaged; a frame was lost", "the chart began anew here"]);
     let missing = 2 * expected.cycles.len() - trace.cycles.len();
-    // A state comes behind 30 cycles that are sent, and one more stands for those in front of it that did nothing.
+    // A state comes after 30 cycles that are sent, and one more stands for those in front of it that did nothing.
     assert!((1..=31).contains(&missing), "{missing}");
 }

@@ -98,7 +98,7 @@ fn what_is_asked_is_heard() {
     assert_eq!(commands.last(), 9 << 40);
 }
 
-/// Each single bit of each kind of command, with another command behind it: that one alone is heard.
+/// Each single bit of each kind of command, with another command after it: that one alone is heard.
 #[test]
 fn no_wrong_bit_is_heard() {
     for (wanted, name) in ALL {
@@ -214,7 +214,7 @@ fn what_is_whole_and_means_nothing_is_refused() {
     assert_eq!(heard(&mut reading(), &wrong::frame(&[])), []);
 }
 
-/// Other bits behind a check sum that is right: nothing panics, and what is taken is what a request writes.
+/// Other bits after a check sum that is right: nothing panics, and what is taken is what a request writes.
 #[test]
 fn there_is_one_way_to_write_a_command() {
     let (mut chance, mut taken) = (Chance::new(11), 0);

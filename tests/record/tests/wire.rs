@@ -140,7 +140,7 @@ fn every_wrong_bit_is_told() {
     let (shown, bytes) = storm(300);
     let whole = seen(&shown, &bytes);
     assert!(whole.seen > 80 && whole.troubles.is_empty(), "{}", whole.seen);
-    // What stands behind the last state can be lost without a frame that tells.
+    // What stands after the last state can be lost without a frame that tells.
     let last_state = bytes.len() - 200;
     for bit in 0..bytes.len() * 8 {
         let mut bytes = bytes.clone();

@@ -122,7 +122,7 @@ impl Browser {
     /// As of [`Browser::ask`].
     pub(super) fn open(&mut self, url: &str) -> Result {
         self.loaded = false;
-        // Behind the page's own listener, which has then done its work.
+        // After the page's own listener, which has then done its work.
         self.value("globalThis.heard = new Promise(heard => addEventListener('hashchange', () => heard(true), { once: true })), 0")?;
         let answer = self.ask("Page.navigate", &json!({ "url": url }))?;
         if let Some(error) = answer.get("errorText") {

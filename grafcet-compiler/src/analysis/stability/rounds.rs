@@ -68,7 +68,7 @@ impl Paths {
         let is_alone = |step: StepId| concurrency.beside(step).all(|other| parts[other.index()] != parts[step.index()]);
         let alone: Vec<bool> = model.steps.ids().map(is_alone).list();
         let mut paths = Self { alone, longest: vec![0; model.steps.len()] };
-        // Behind as many rounds as there are steps a path that becomes longer is a circle.
+        // After as many rounds as there are steps a path that becomes longer is a circle.
         for _ in 0..=model.steps.len() {
             let mut grows = false;
             for step in model.steps.ids() {

@@ -201,7 +201,7 @@ impl<'m> Printer<'_, 'm> {
     /// About so many bytes takes such a jump, where a table has one for each state.
     const JUMP: usize = 8;
 
-    /// Under `optimize size;` LLVM computes the next state where all arms of a match go on to the one behind, so the few jumps that a sequence
+    /// Under `optimize size;` LLVM computes the next state where all arms of a match go on to the one after, so the few jumps that a sequence
     /// has are told apart in front of it.
     fn in_order_but(&self, place: PlaceId, states: &[Value], of_state: &Map<Value, Value>) -> Option<TokenStream> {
         if !self.cx.model.optimize_size {

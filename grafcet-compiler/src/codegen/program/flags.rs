@@ -235,13 +235,13 @@ impl<'m> Printer<'_, 'm> {
         quote!(#p::flags::exchange(&mut self.#field, #from, #to);)
     }
 
-    /// The bit of a state; none is behind all of them.
+    /// The bit of a state; none is after all of them.
     fn index(&self, flags: Flags, region: usize, of: &Ident) -> TokenStream {
         let (p, steps, none) = (&self.cx.p, self.program.states(region), Literal::usize_suffixed(8 * flags.bytes()));
         let has_others = self.layout.regions[region].empty || self.layout.regions[region].start.is_some();
         let first = steps.first().map_or(0, |step| step.index());
         if steps.iter().enumerate().all(|(at, step)| step.index() == first + at) {
-            // The enum has them in this order, and all else behind them.
+            // The enum has them in this order, and all else after them.
             let mut index = quote!(#of as #p::usize);
             if first > 0 {
                 let first = Literal::usize_suffixed(first);

@@ -113,7 +113,7 @@ pub(super) struct Resolver<'s> {
     drawn: Set<String>,
     /// The transitions whose condition is `else`.
     elses: Vec<TransitionId>,
-    /// How many transitions lack a step in front of them or behind.
+    /// How many transitions lack a step in front of them or after.
     forgotten: usize,
     /// Something of the source could not be parsed, and is missing.
     unread: bool,

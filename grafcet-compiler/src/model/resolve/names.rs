@@ -149,7 +149,7 @@ impl Lower<'_, '_> {
     }
 }
 
-/// What stands behind the `.` of a step.
+/// What stands after the `.` of a step.
 pub(super) fn is_of_step(name: &Ident) -> bool {
     name == "X" || name == "T" || name == "late"
 }

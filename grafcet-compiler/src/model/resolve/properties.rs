@@ -26,9 +26,9 @@ const IN_ONE: About = About {
 };
 const OFTEN: About = About { params: false, ..IN_ONE };
 const BEHIND: About = About {
-    why: "what comes behind is the machine's doing, a condition over inputs",
+    why: "what comes after is the machine's doing, a condition over inputs",
     params: false,
-    of_steps: "; what the chart does behind something else is a property, without `assume`",
+    of_steps: "; what the chart does after something else is a property, without `assume`",
 };
 
 impl Resolver<'_> {
@@ -40,7 +40,7 @@ impl Resolver<'_> {
         self.model.assumptions.push(Assumption { never, mark, of_range: None });
     }
 
-    /// `assume valve leads_to full within 10s;` `assume lower before bottom;` What comes first may be the chart's doing, what comes behind is the plant's.
+    /// `assume valve leads_to full within 10s;` `assume lower before bottom;` What comes first may be the chart's doing, what comes after is the plant's.
     pub(super) fn order(&mut self, keyword: Span, order: &ast::Property) {
         let (claim, end) = match order {
             ast::Property::LeadsTo { from, to, within, .. } => {

@@ -10,11 +10,11 @@ pub(in crate::model) fn of(tokens: impl ToTokens) -> String {
     text
 }
 
-/// Whether `-` behind `text` is a sign and no operator: `-1`, `(-1`, `n < -1`.
+/// Whether `-` after `text` is a sign and no operator: `-1`, `(-1`, `n < -1`.
 fn is_operand_next(text: &str, tight: bool) -> bool {
     match text.trim_end().chars().last() {
         None | Some('(' | '[' | '{' | ',' | '.' | '/') => true,
-        // The second one of `&&` stands right behind the first.
+        // The second one of `&&` stands right after the first.
         Some(last) => !tight && "=<>&|+-*%^".contains(last),
     }
 }

@@ -239,7 +239,7 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         self.longest = longest;
-        // The second part of a period is what lies behind the first.
+        // The second part of a period is what lies after the first.
         for (step, on, _) in &self.periods {
             self.outlasted.insert((Blinker::Step(*step), *on));
         }

@@ -117,7 +117,7 @@ impl<'m> Lower<'_, 'm> {
         body
     }
 
-    /// Whether the bound is looked at behind the last evolution, as what has made so many goes on for ever; of one region `search` finds that.
+    /// Whether the bound is looked at after the last evolution, as what has made so many goes on for ever; of one region `search` finds that.
     fn is_stopped_behind(&self) -> bool {
         self.comes_back && self.state.len() > 1
     }

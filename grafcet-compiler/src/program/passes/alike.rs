@@ -66,7 +66,7 @@ fn copy<'m>(leaf: &mut Leaf<'m>, one: &Copied<'m>, field: PlaceId, initial: Opti
             _ => return,
         },
         None => {
-            // In front of what stands behind it on the other way: lists have in common what stands in one order.
+            // In front of what stands after it on the other way: lists have in common what stands in one order.
             let follows = |statement: &Statement<'m>| one.behind.iter().any(|other| same_statement(statement, other));
             (leaf.body.iter().position(follows).unwrap_or(leaf.body.len()), false, initial)
         }

@@ -44,7 +44,7 @@ fn block<'m>(program: &Program<'m>, statements: &mut [Statement<'m>]) {
     }
 }
 
-/// Whether a condition has found its arm. Of several, one behind the other, the last one is looked at first.
+/// Whether a condition has found its arm. Of several, one after the other, the last one is looked at first.
 fn moved<'m>(program: &Program<'m>, statement: &mut Statement<'m>) -> bool {
     let Statement::If(condition, then, otherwise) = statement else { return false };
     let within = match &mut otherwise[..] {

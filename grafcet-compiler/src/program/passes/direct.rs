@@ -13,7 +13,7 @@
 //!
 //! Such an output that is no truth begins with its own value, and what would put that into it first has nothing to do (Reactor `grafcet` on the Cortex-M0: 616 → 580 bytes).
 //!
-//! Needs: nobody asks for the output within the cycle, and nothing else is put into it; nobody asks for the local behind that; both begin alike.
+//! Needs: nobody asks for the output within the cycle, and nothing else is put into it; nobody asks for the local after that; both begin alike.
 
 use super::super::{Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
 use super::dead::drop_places;
@@ -25,7 +25,7 @@ use crate::model::{Tree, Ty};
 const FEW: usize = 4;
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    // By hand the ends of a cycle are done behind another evolution, so they are written alike.
+    // By hand the ends of a cycle are done after another evolution, so they are written alike.
     if program.forced.is_some() {
         return;
     }

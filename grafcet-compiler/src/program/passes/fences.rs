@@ -10,13 +10,13 @@
 //! - Without one between two dispatches it keeps what the first has found out in registers, and jumps from there into the second: par8 takes
 //!   764 bytes and 64.6 instructions so, and 740 and 57.2 with fences.
 //! - In a search it would load all inputs beforehand, and copy what steps do into the ways to them. Of several regions the inputs are found once in front of it, and a
-//!   fence stands behind it: the packer takes 612 bytes so, and 688 without.
+//!   fence stands after it: the packer takes 612 bytes so, and 688 without.
 //! - Where a table tells which step is next, its number would stay in a register for the whole of an evolution: laundry as `grafcet` takes 634 bytes and 36.8
-//!   instructions so, and 558 and 35.6 with a fence in front of that and one behind the search.
-//! - On ARMv6-M a jump table has a word for each step as long as anything behind the jump asks for the step that it went by, else a byte: a fence in front of what asks has
+//!   instructions so, and 558 and 35.6 with a fence in front of that and one after the search.
+//! - On ARMv6-M a jump table has a word for each step as long as anything after the jump asks for the step that it went by, else a byte: a fence in front of what asks has
 //!   it read anew, and plating takes 533 bytes instead of 709. On other processors it saves less, and costs instructions.
 //! - The same where a state is asked for once more within what has been found of it (`united`): the packer takes 564 bytes instead of 604.
-//! - Under `optimize size;` the fences of one region are there on all processors, and one in front of the table of a sequence and behind it: a robot with watchdogs takes
+//! - Under `optimize size;` the fences of one region are there on all processors, and one in front of the table of a sequence and after it: a robot with watchdogs takes
 //!   424 bytes instead of 522 on a Cortex-M3, and 27.2 instructions instead of 23.4.
 //! - In a cycle of several regions that keeps the reading of the clock the argument would be in the last of four registers that LLVM uses before it saves one, and that short
 //!   instructions name, and all that is done in others: the clock is asked of its field, behind a fence (two branches within one of two take 406 bytes on a Cortex-M3 so, and 504 without; on ARMv6-M it costs four).
@@ -86,7 +86,7 @@ fn is_search(statement: &Statement<'_>) -> bool {
     matches!(statement, Statement::Loop { rounds: 2.., .. })
 }
 
-/// The one evolution of an `sfc` of one region, by a table or with what each step does behind it.
+/// The one evolution of an `sfc` of one region, by a table or with what each step does after it.
 fn scan(program: &mut Program<'_>) {
     let Some(state) = program.place(Role::State(0)).filter(|_| program.regions.iter().flatten().count() >= LONG) else {
         return;
@@ -106,7 +106,7 @@ fn scan(program: &mut Program<'_>) {
     }
 }
 
-/// What the steps of a sequence do asks behind its table for the state as it is stored, and so does the table. Where LLVM computes what is next it would else go from each step
+/// What the steps of a sequence do asks after its table for the state as it is stored, and so does the table. Where LLVM computes what is next it would else go from each step
 /// to what the next one does.
 fn anew(program: &mut Program<'_>, state: PlaceId) {
     let is_state = |place: &PlaceId| matches!(program.places[place.0].ty, Type::State(_));

@@ -10,7 +10,7 @@
 //! LLVM makes a jump table of such a match, with two or four bytes a state, or copies what a state does that shares it with none to the way there.
 //! Where states that share what they wait for share what they do, one table is enough for both.
 //!
-//! Needs: each arm stands for many states, of two matches that tell nearly the same apart, or of 256 states and more, under `optimize size;`; else what a table of next states stands behind, where a few states have
+//! Needs: each arm stands for many states, of two matches that tell nearly the same apart, or of 256 states and more, under `optimize size;`; else what a table of next states stands after, where a few states have
 //! an arm of their own.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};

@@ -39,7 +39,7 @@ pub(super) fn values(arms: &[Arm<'_>]) -> Vec<Value> {
     all
 }
 
-/// Gives a match on the state an arm for all values that it does not name: `dead` takes away arms that do nothing, and who writes behind the match
+/// Gives a match on the state an arm for all values that it does not name: `dead` takes away arms that do nothing, and who writes after the match
 /// what its arms have decided must not take their states for the initial one.
 pub(super) fn complete(program: &Program<'_>, state: PlaceId, statement: &mut Statement<'_>) {
     let Statement::Match(place, arms, otherwise) = statement else { return };

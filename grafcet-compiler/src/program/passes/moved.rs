@@ -1,4 +1,4 @@
-//! Whether the cycle has moved is told by the state that it began with, and what all ways to another state do is done behind them.
+//! Whether the cycle has moved is told by the state that it began with, and what all ways to another state do is done after them.
 //!
 //! ```text
 //! match state                                   was = state
@@ -34,7 +34,7 @@ pub(super) struct Ways<'w, 'm> {
     pub(super) trees: &'w mut [Option<Tree<'m>>],
 }
 
-/// What is done in front of the ways, and behind them.
+/// What is done in front of the ways, and after them.
 pub(super) type Around<'m> = [Vec<Statement<'m>>; 2];
 
 pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Around<'m> {
@@ -115,7 +115,7 @@ fn asks(after: &Places, leaf: &Leaf<'_>, since: PlaceId) -> bool {
     is_read_in(&body, since)
 }
 
-/// A copy of the state in front, and behind the beginning of a time where it differs.
+/// A copy of the state in front, and after the beginning of a time where it differs.
 fn where_it_differs<'m>(program: &mut Program<'m>, state: PlaceId, since: PlaceId) -> [Statement<'m>; 2] {
     let PlaceInfo { name, initial, .. } = &program.places[state.0];
     let (name, initial) = (format!("was.{name}"), *initial);
@@ -202,7 +202,7 @@ impl Moved {
     }
 
     /// Whether each way to another state begins the time, and no way that stays does. Nothing on the former asks for it: what does so in front of the beginning means how long
-    /// the step was active that is left, and `join` can put it behind.
+    /// the step was active that is left, and `join` can put it after.
     fn begins(&self, program: &Program<'_>, ways: &Ways<'_, '_>) -> bool {
         let (mut begins, after) = (true, read_after(program));
         for (tree, from) in ways.trees.iter().zip(ways.points) {

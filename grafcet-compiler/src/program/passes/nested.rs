@@ -58,7 +58,7 @@ fn nest<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
     *statements = all;
 }
 
-/// Several statements behind a match that do nothing beside the same of its states stand in an arm with all others:
+/// Several statements after a match that do nothing beside the same of its states stand in an arm with all others:
 ///
 /// ```text
 /// match state.Main                                   match state.Main
@@ -84,7 +84,7 @@ fn gather<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
     }
 }
 
-/// The states of the match in front beside which so many statements behind it do nothing, where these are several.
+/// The states of the match in front beside which so many statements after it do nothing, where these are several.
 fn followers(program: &Program<'_>, statements: &[Statement<'_>]) -> Option<(Vec<Option<StepId>>, usize)> {
     let [Statement::Match(place, ..), behind @ ..] = statements else { return None };
     let Role::State(region) = program.places[place.0].role else { return None };

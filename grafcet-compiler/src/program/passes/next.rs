@@ -15,7 +15,7 @@
 //!                                            …
 //! ```
 //!
-//! Behind a state from a table LLVM cannot go on by itself to what that state does: there is one dispatch more, and what is done behind the ways
+//! After a state from a table LLVM cannot go on by itself to what that state does: there is one dispatch more, and what is done after the ways
 //! is there once. A step with several ways has the last one in the table, as those before it are taken more often.
 //!
 //! In the search of a `grafcet` the ways that do not go on leave the loop. Needs: each way through it ends in one state at most.
@@ -140,7 +140,7 @@ fn scan(program: &mut Program<'_>) {
     program.cycle = cycle;
 }
 
-/// What is done behind the ways where the state differs from what it was: the local that says what it was, and what is done.
+/// What is done after the ways where the state differs from what it was: the local that says what it was, and what is done.
 fn begins<'s, 'm>(behind: &'s [Statement<'m>], state: PlaceId) -> Option<(PlaceId, &'s [Statement<'m>])> {
     let Some(Statement::If(Expr::Compare(Comparison::Differs, was, now), begins, otherwise)) = behind.first() else {
         return None;

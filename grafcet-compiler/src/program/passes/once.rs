@@ -25,7 +25,7 @@ pub(super) fn statements(statements: &mut Vec<Statement<'_>>) {
     block(statements, &mut Way::default());
 }
 
-/// So many conditions are tried to be taken apart within one that is: each has what stands behind it looked at twice more.
+/// So many conditions are tried to be taken apart within one that is: each has what stands after it looked at twice more.
 const TRIES: usize = 64;
 
 /// Conditions of inputs alone, and whether each holds.

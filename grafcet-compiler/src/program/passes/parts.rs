@@ -8,7 +8,7 @@
 //!                                                if clears.B1→B2: state.B1 = B2
 //! ```
 //!
-//! What reads stays behind what it reads, what writes behind what reads or writes the same, what somebody outside sees in its order. Truths
+//! What reads stays after what it reads, what writes after what reads or writes the same, what somebody outside sees in its order. Truths
 //! that are gathered (`any = any || …`) may be gathered in any order.
 
 use super::super::build::no;

@@ -113,7 +113,7 @@ fn begun<'m>(
                     body.remove(at);
                     let mut changed = Vec::new();
                     for (to, value) in given {
-                        // What stands behind it looks at what it has set: an edge in an edge.
+                        // What stands after it looks at what it has set: an edge in an edge.
                         if held[to.0].replace(value) != Some(value) {
                             changed.push(Statement::Set(to, Expr::Value(value)));
                         }

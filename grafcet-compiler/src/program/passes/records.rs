@@ -12,7 +12,7 @@
 //! As many as a register holds are returned in it: put together of constants they are a constant, of parts they are three instructions each.
 //!
 //! Needs: all outputs are truths that begin each cycle as false; the last statement alone writes them, and in each state at most one that is
-//! not known, which is set behind the others.
+//! not known, which is set after the others.
 
 use super::super::build::{no, yes};
 use super::super::{Expr, PlaceId, Program, Role, Statement, Type, Value};

@@ -85,7 +85,7 @@ impl<'m> Search<'m> {
         Some(Self { state, begin, points, before: list, rounds, body, behind, tail: Vec::new() })
     }
 
-    /// The same search where the bound is looked at behind the evolutions instead of within them: what has come back to a step by then
+    /// The same search where the bound is looked at after the evolutions instead of within them: what has come back to a step by then
     /// goes on for ever.
     fn circle(&self, program: &Program<'m>) -> Option<Self> {
         let is_count = |place: PlaceId| program.places[place.0].role == Role::Evolutions;

@@ -1,6 +1,6 @@
 //! In which states a statement matters: so each state is looked at with the statements that concern it, and not with all of them.
 //!
-//! A truth that is false in front of a list, as what begins each cycle so, can be true behind it only in some states, by what it is set from. What would only set such a truth to
+//! A truth that is false in front of a list, as what begins each cycle so, can be true after it only in some states, by what it is set from. What would only set such a truth to
 //! false in all other states, or do nothing there, need not be looked at for them.
 
 use super::super::{Expr, PlaceId, PlaceInfo, Statement, Value};
@@ -261,7 +261,7 @@ impl<'s, 'm> Sparse<'s, 'm> {
         }
     }
 
-    /// The statements by where they matter; no state is written behind the statement `end`.
+    /// The statements by where they matter; no state is written after the statement `end`.
     fn index(&mut self, list: &[Statement<'m>], end: usize) -> Index {
         let none = vec![Vec::new(); self.points.all.len()];
         let forks = vec![false; self.places.len()];

@@ -15,7 +15,7 @@
 //! So the cycle is one as of an `sfc`, and what is made of that is made of it.
 //!
 //! Needs: one region, the chart's searches end with their first evolution; what another look would find anew is asked for by nothing that
-//! stands behind.
+//! stands after.
 
 use super::super::{Expr, PlaceId, Program, Role, Statement};
 use super::search::opened;
@@ -76,7 +76,7 @@ impl<'m> Round<'m> {
 struct Again<'p, 'm> {
     program: &'p Program<'m>,
     state: PlaceId,
-    /// What a round writes, and what is asked for behind the search.
+    /// What a round writes, and what is asked for after the search.
     written: Set<PlaceId>,
     asked: Set<PlaceId>,
 }

@@ -19,7 +19,7 @@ pub use request::{Request, request_len};
 const COMMAND: u8 = 0x15;
 /// Kind, number, fingerprint, the cycle that was seen, and what is wanted.
 const HEAD: usize = 1 + 8 + 4 + 4 + 1;
-/// The check sum behind it.
+/// The check sum after it.
 const TAIL: usize = 4;
 /// What is wanted.
 const INIT: u8 = 0;

@@ -138,7 +138,7 @@ mod tests {
         let mut bytes = [0; LEN];
         bytes[8] = 9;
         assert_eq!(Answer::read(&bytes), None, "there is no such reason");
-        // There is one way to write each: those to which nothing belongs have zeros behind them, a count of cycles in its upper half.
+        // There is one way to write each: those to which nothing belongs have zeros after them, a count of cycles in its upper half.
         for code in [0, 1, 3, 4, 5, 7, 8] {
             (bytes[8], bytes[16]) = (code, 1);
             assert_eq!(Answer::read(&bytes), None, "code {code}");

@@ -27,7 +27,7 @@ const HASH: u8 = VERSION | 3;
 const ANSWER: u8 = VERSION | 4;
 /// In front of what a frame says: its kind and its number.
 const HEAD: usize = 3;
-/// The check sum behind it.
+/// The check sum after it.
 const TAIL: usize = 4;
 /// In front of a state: which chart it is of.
 const OWNER: usize = 8;

@@ -34,7 +34,7 @@ impl<'m> Case<'m> {
         Ok(body)
     }
 
-    /// Its transitions, behind what happens on an event while it is active.
+    /// Its transitions, after what happens on an event while it is active.
     pub(super) fn evolving(&mut self, step: StepId) -> Result<Vec<Statement>, Refused> {
         let mut body = self.actions(step, &|role| role == Role::Event)?;
         let (transitions, count) = self.transitions(step)?;
@@ -57,7 +57,7 @@ impl<'m> Case<'m> {
             let condition = self.condition(step, transition)?;
             branches.push((condition, self.leave(step, *id)?));
         }
-        // One that leads to its own step does nothing, but comes before those behind it.
+        // One that leads to its own step does nothing, but comes before those after it.
         while branches.last().is_some_and(|(_, then)| then.is_empty()) {
             branches.pop();
         }

@@ -1,4 +1,4 @@
-//! The CASE form: in each step first its actions, then its transitions; or one CASE for the transitions, and another one behind it for the actions.
+//! The CASE form: in each step first its actions, then its transitions; or one CASE for the transitions, and another one after it for the actions.
 
 mod arm;
 mod fits;

@@ -2,7 +2,7 @@
 //!
 //! In a `grafcet` an edge compares two scans, as a scan is an evolution. A delay is looked at where a cycle of the chart begins: in the scans that begin with
 //! what the scan before has left as it was. In an `sfc` transitions compare what there was before the evolutions of two scans, and actions what there
-//! was behind them.
+//! was after them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -25,7 +25,7 @@ impl Flags<'_> {
         self.model.is_grafcet() && self.model.delays.ids().any(|id| !is_of_inputs(self.model, id))
     }
 
-    /// What actions ask for behind the evolution, and what is asked for before it.
+    /// What actions ask for after the evolution, and what is asked for before it.
     pub(super) fn memory(&mut self) -> Result<(Vec<Statement>, Vec<Asked>), Refused> {
         let grafcet = self.model.is_grafcet();
         let steps = self.steps.clone();
@@ -44,7 +44,7 @@ impl Flags<'_> {
         Ok((acting, own))
     }
 
-    /// What follows the situation, and edges and delays: each behind what it asks for, and under headings where they can be told apart.
+    /// What follows the situation, and edges and delays: each after what it asks for, and under headings where they can be told apart.
     pub(super) fn looked_at(&self, following: Vec<Asked>, own: Vec<Asked>) -> Vec<(&'static str, Vec<Statement>)> {
         let asks = |some: &[Asked], others: &[Asked]| {
             let known: Vec<Read> = others.iter().map(|(read, _)| *read).collect();

@@ -260,7 +260,7 @@ impl Flags<'_> {
         Ok(done)
     }
 
-    /// What transitions do when they clear, behind what steps do in the same evolution.
+    /// What transitions do when they clear, after what steps do in the same evolution.
     fn clearing(&mut self) -> Result<Vec<Statement>, Refused> {
         let model = self.model;
         let mut stored = Vec::new();
@@ -291,7 +291,7 @@ impl Flags<'_> {
     }
 
     /// What follows the situation, each after what it reads: asked by transitions on the situation before the evolution, and by continuous actions on
-    /// that behind it.
+    /// that after it.
     pub(super) fn following(&mut self) -> Result<Vec<Asked>, Refused> {
         let mut following = Vec::new();
         for var in in_order(self.model) {

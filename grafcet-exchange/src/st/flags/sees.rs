@@ -31,7 +31,7 @@ impl<'m> Flags<'m> {
         seen
     }
 
-    /// What an action sees that runs at an instant: in an `sfc` what there is behind the evolution, with these times, in a `grafcet` what there was
+    /// What an action sees that runs at an instant: in an `sfc` what there is after the evolution, with these times, in a `grafcet` what there was
     /// before it.
     pub(super) fn instant<T>(
         &mut self,

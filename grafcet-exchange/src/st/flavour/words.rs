@@ -7,7 +7,7 @@ pub(super) enum Word<'t> {
     Name(&'t str),
     /// The name of what is called.
     Called(&'t str),
-    /// In front of `:=`, or behind a point.
+    /// In front of `:=`, or after a point.
     Part(&'t str),
     /// An operator between two values.
     Operator(&'t str),
@@ -27,7 +27,7 @@ impl<'t> Word<'t> {
 /// All of it, in its order.
 pub(super) fn words(text: &str) -> Vec<Word<'_>> {
     let (mut all, mut at) = (Vec::new(), 0);
-    // Behind a value a `-` is an operator.
+    // After a value a `-` is an operator.
     let mut value = false;
     while let Some(first) = text[at..].chars().next() {
         let rest = &text[at..];

@@ -9,7 +9,7 @@ use grafcet_sim::interp::{ClosedLoop, Value};
 use super::graph;
 use super::responses::{Broken, Edges, Step};
 
-/// What has been seen, by what is assumed to come one behind the other: for how long an answer has been waited for, or that the first has come.
+/// What has been seen, by what is assumed to come one after the other: for how long an answer has been waited for, or that the first has come.
 type Seen = Vec<Option<u32>>;
 
 /// All that can happen.

@@ -58,7 +58,7 @@ pub type Check = fn(&Model, &str, &[Line]) -> Result<Traces, String>;
 pub struct Traces {
     /// Records and frames.
     pub all: u32,
-    /// Those of them with cycles that are not shown: behind a state that does not tell all.
+    /// Those of them with cycles that are not shown: after a state that does not tell all.
     pub untold: u32,
 }
 

@@ -74,7 +74,7 @@ impl Done {
 pub type Soak = fn(&grafcet_sim::Chart, Long) -> Result<Done, String>;
 
 /// Runs a chart. On a stretch, in a cycle that its `next_deadline` or, without time, its unchanged state calls a repetition, it has to show what it has shown; in all others what the interpreter
-/// shows, which has not run the repetitions. Behind the cycles that it runs alone its state has to be one that `restore` takes, and the interpreter goes on from it.
+/// shows, which has not run the repetitions. After the cycles that it runs alone its state has to be one that `restore` takes, and the interpreter goes on from it.
 ///
 /// # Errors
 /// The first difference.

@@ -49,7 +49,7 @@ fn a_delay_with_a_param_is_counted() {
     each_left_out(&model, &storm(&["a"], 300), 100);
 }
 
-/// A search begins again behind one that has changed what a delay looks at, and only there.
+/// A search begins again after one that has changed what a delay looks at, and only there.
 #[test]
 fn a_delay_of_a_step_has_another_search() {
     let chart = |of: &str| {

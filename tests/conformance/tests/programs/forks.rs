@@ -1,4 +1,4 @@
-//! A fork of several branches: what they do is asked for where they are active, put into the outputs at once, and a search that goes on for ever is stopped behind an evolution.
+//! A fork of several branches: what they do is asked for where they are active, put into the outputs at once, and a search that goes on for ever is stopped after an evolution.
 
 use std::fmt::Write as _;
 

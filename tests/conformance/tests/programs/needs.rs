@@ -95,7 +95,7 @@ fn what_changes_alone_is_compared() {
     }
 }
 
-/// A value is set where its next one is, unless the round may be left in between, or the next one is used behind the loop.
+/// A value is set where its next one is, unless the round may be left in between, or the next one is used after the loop.
 #[test]
 fn a_value_waits_for_the_end_of_the_round_where_somebody_could_see_the_difference() {
     let model = read(CELL);

@@ -368,7 +368,7 @@ fn goes_by_table(chart: &str, table: &str) {
     assert!(matches!(compare(&model, &lines, &Pass::ALL), Ok(Outcome::Same)));
 }
 
-/// Who asks for size gets no table of kinds where it would stand beside jump tables, and actions that stand behind the evolution on each processor.
+/// Who asks for size gets no table of kinds where it would stand beside jump tables, and actions that stand after the evolution on each processor.
 #[test]
 fn size_is_what_was_asked_for() {
     let printed = |chart: &str, name: &str| {
@@ -442,7 +442,7 @@ fn a_long_chart_takes_time_by_its_length() {
     assert!(whole < 12.0 * quarter, "250 steps take {quarter:.3} s, 1,000 steps {whole:.3} s");
 }
 
-/// Each condition of a selection that is taken apart has all behind it looked at once more, and so has each of those: of thirty branches no build would see the end.
+/// Each condition of a selection that is taken apart has all after it looked at once more, and so has each of those: of thirty branches no build would see the end.
 #[test]
 fn long_selections_are_not_taken_apart_again_and_again() {
     let selection = |priority: bool| {

@@ -46,7 +46,7 @@ fn counts_move_with_the_steps() {
     }
 }
 
-/// Branches within a branch: what joins them is asked first, and behind that each is a match of its own, in which no other one has a step that cannot be there.
+/// Branches within a branch: what joins them is asked first, and after that each is a match of its own, in which no other one has a step that cannot be there.
 #[test]
 fn branches_stand_within_a_branch() {
     for more in ["", "&& 2ms/A2", "&& 3ms/R2"] {
@@ -86,7 +86,7 @@ fn one_evolution_asks_its_field_for_the_clock() {
     }
 }
 
-/// A branch that looks at a step of another one is a match of its own, in front of it or, where they look at each other, behind a copy of its state. What clears a join is
+/// A branch that looks at a step of another one is a match of its own, in front of it or, where they look at each other, after a copy of its state. What clears a join is
 /// asked before, whatever stands where in the chart.
 #[test]
 fn branches_look_at_each_other() {
@@ -155,7 +155,7 @@ fn joins_look_into_what_is_left_beside_them() {
     each_left_out(&model, &storm(&inputs, 400), 0);
 }
 
-/// An output that ends each cycle as its flip-flop is set behind the ways, but not one that something asks for.
+/// An output that ends each cycle as its flip-flop is set after the ways, but not one that something asks for.
 #[test]
 fn an_output_that_shows_a_field_is_set_once() {
     for (lamp, once) in [("S lamp;", true), ("S lamp; p if lamp;", false)] {
@@ -345,7 +345,7 @@ fn regions_that_go_together_share_a_place() {
     each_left_out(&read(BOXES), &drawn(&inputs, 400), 200);
 }
 
-/// What is done in one state alone is asked in its arm, and nothing behind it.
+/// What is done in one state alone is asked in its arm, and nothing after it.
 #[test]
 fn a_condition_of_one_state_stands_in_its_arm() {
     // The part beside the sequence rests in all other states.

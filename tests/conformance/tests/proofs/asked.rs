@@ -119,7 +119,7 @@ fn the_chart_of_the_page_is_judged_as_the_page_says() {
     }
 }
 
-/// So are the lines about several cycles: what stands behind each of them is what it is.
+/// So are the lines about several cycles: what stands after each of them is what it is.
 #[test]
 fn the_lines_of_the_page_about_several_cycles_are_what_it_says() {
     let page = include_str!("../../../../docs/proof.md");

@@ -1,4 +1,4 @@
-//! Charts that are still to be written: what stands behind `todo!()` is never reached.
+//! Charts that are still to be written: what stands after `todo!()` is never reached.
 #![allow(clippy::todo, clippy::panic, clippy::unimplemented, clippy::unreachable, reason = "this is what it is about")]
 
 use grafcet::{Phase, grafcet};

@@ -65,7 +65,7 @@ pub(crate) fn may_be(net: &Net, graph: &Graph) -> bool {
         return true;
     }
     let mut left = Arena::filled(net.arcs.len(), true);
-    // What lies behind a search without end shows nothing.
+    // What lies after a search without end shows nothing.
     let mut met = vec![false; graph.states.len()];
     let mut open = vec![0];
     while let Some(state) = open.pop() {

@@ -84,7 +84,7 @@ impl Tape {
         count < self.answers.len()
     }
 
-    /// Goes on behind the first `count` answers.
+    /// Goes on after the first `count` answers.
     pub(crate) fn skip_to(&mut self, count: usize) {
         self.at = count;
     }

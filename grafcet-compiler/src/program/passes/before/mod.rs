@@ -167,7 +167,7 @@ impl Before {
         *statements = all;
     }
 
-    /// The time of a region begins behind the match on its state, where that differs then.
+    /// The time of a region begins after the match on its state, where that differs then.
     fn begin_behind<'m>(&self, program: &mut Program<'m>, cycle: &mut Vec<Statement<'m>>, number: usize) {
         let region = &self.regions[number];
         let is_head = |one: &Statement<'_>| matches!(one, Statement::Match(place, ..) if *place == region.state);
@@ -270,7 +270,7 @@ fn outlasted(program: &Program<'_>, state: PlaceId, passed: PlaceId) -> Vec<Step
     found
 }
 
-/// Whether some way asks for a time behind its beginning.
+/// Whether some way asks for a time after its beginning.
 fn asks_behind(statements: &[Statement<'_>], since: PlaceId, begun: &mut bool) -> bool {
     let mut asks = false;
     for statement in statements {

@@ -1,4 +1,4 @@
-//! What several ends of ways would do the same, done once behind them.
+//! What several ends of ways would do the same, done once after them.
 //!
 //! ```text
 //! match state.R                          goes = false
@@ -33,14 +33,14 @@ pub(super) struct Unit<'m> {
     pub(super) statements: Vec<Statement<'m>>,
 }
 
-/// What stands behind the ways.
+/// What stands after the ways.
 pub(super) struct Shared<'m> {
     /// False where the ways begin.
     pub(super) goes: Vec<PlaceId>,
     pub(super) statements: Vec<Statement<'m>>,
 }
 
-/// A unit that some ends leave to what stands behind them.
+/// A unit that some ends leave to what stands after them.
 struct Chosen {
     /// The part's number.
     at: usize,
@@ -49,14 +49,14 @@ struct Chosen {
     weight: usize,
 }
 
-/// Hands out places that tell whether something behind the ways is to be done.
-pub(super) struct Behind<'t> {
+/// Hands out places that tell whether something after the ways is to be done.
+pub(super) struct After<'t> {
     free: &'t Free,
-    /// By the region that leads and the first unit behind it: ends that do the same shall look the same.
+    /// By the region that leads and the first unit after it: ends that do the same shall look the same.
     given: RefCell<Map<(usize, usize), PlaceId>>,
 }
 
-impl<'t> Behind<'t> {
+impl<'t> After<'t> {
     pub(super) fn of(free: &'t Free) -> Self {
         Self { free, given: RefCell::default() }
     }
@@ -127,7 +127,7 @@ impl<'t> Behind<'t> {
     }
 }
 
-/// The units that may stand behind the ways, the last ones first: behind a unit that stays at the end of its way nothing is left that it would have to
+/// The units that may stand after the ways, the last ones first: after a unit that stays at the end of its way nothing is left that it would have to
 /// come after. But for those that stand `alone`.
 fn chosen(ends: &[Vec<Unit<'_>>], alone: &Set<usize>, moves: PlaceId) -> Vec<Chosen> {
     let mut keys = Set::new();
@@ -157,7 +157,7 @@ fn chosen(ends: &[Vec<Unit<'_>>], alone: &Set<usize>, moves: PlaceId) -> Vec<Cho
     all
 }
 
-/// Whether it may be done after those behind it that stay at the end of the way. That something moves all of them may tell.
+/// Whether it may be done after those after it that stay at the end of the way. That something moves all of them may tell.
 fn is_last(units: &[Unit<'_>], stays: &[bool], at: usize, moves: PlaceId) -> bool {
     let effects = |unit: &Unit<'_>| {
         let mut effects = Effects::of_all(&unit.statements);
@@ -166,8 +166,8 @@ fn is_last(units: &[Unit<'_>], stays: &[bool], at: usize, moves: PlaceId) -> boo
         effects
     };
     let own = effects(&units[at]);
-    let behind = units.iter().zip(stays).skip(at + 1);
-    let mut left = behind.filter(|(unit, stays)| **stays && !unit.statements.is_empty());
+    let after = units.iter().zip(stays).skip(at + 1);
+    let mut left = after.filter(|(unit, stays)| **stays && !unit.statements.is_empty());
     left.all(|(unit, _)| own.may_swap(&effects(unit)))
 }
 
@@ -190,7 +190,7 @@ fn most(ends: &[Vec<Unit<'_>>], key: usize, places: &[(usize, usize)]) -> Option
     best
 }
 
-/// Those that the same ends leave to what stands behind them.
+/// Those that the same ends leave to what stands after them.
 fn groups(chosen: Vec<Chosen>) -> Vec<Vec<Chosen>> {
     let mut groups: Vec<Vec<Chosen>> = Vec::new();
     for unit in chosen.into_iter().rev() {

@@ -18,11 +18,11 @@
 //!
 //! What is done after a round that has found the situation stable is done once for each state (`several`).
 //!
-//! Needs: one loop, which is left where no region has moved and nothing else has changed, with the situation taken back, or behind an evolution; nothing around it writes
+//! Needs: one loop, which is left where no region has moved and nothing else has changed, with the situation taken back, or after an evolution; nothing around it writes
 //! the situation; what moves a region can stand
 //! together (`parts`).
 
-mod behind;
+mod after;
 mod meetings;
 mod owners;
 mod turn;
@@ -41,7 +41,7 @@ use super::uses::{Effects, leaves, same};
 use meetings::meetings;
 use turn::{Free, Turn};
 
-/// For each region so many truths tell at most what is done behind the ways of others.
+/// For each region so many truths tell at most what is done after the ways of others.
 const GOES: usize = 3;
 
 pub(super) fn pass(program: &mut Program<'_>) {

@@ -1,5 +1,5 @@
 //! One round: its parts from above downwards. At the ends of the ways of what forces or encloses the parts below are looked at with what is
-//! known there; where most ways leave them the same to do, that is done once behind them.
+//! known there; where most ways leave them the same to do, that is done once after them.
 
 use std::cell::Cell;
 
@@ -9,7 +9,7 @@ use super::super::search::settle;
 use super::super::several::{Env, Several, Tie};
 use super::super::split::merged;
 use super::super::uses::{Effects, is_pure, is_written_in, reads_from, same_block, unset};
-use super::behind::{Behind, Unit};
+use super::after::{After, Unit};
 use super::owners::owners;
 use crate::list::List;
 use crate::model::StepId;
@@ -40,7 +40,7 @@ pub(super) struct Turn<'t, 'p, 'm> {
     /// By part: where it decides on a region (the second) by the state of another one.
     asking: Vec<Set<(usize, usize)>>,
     free: &'t Free,
-    behind: Behind<'t>,
+    shared: After<'t>,
     left: Cell<usize>,
 }
 
@@ -60,8 +60,8 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         let effects = parts.iter().map(|part| Touched::by(&part.statements)).collect();
         let written = parts.iter().map(|part| written(several, &part.statements)).collect();
         let asking = parts.iter().map(|part| asking(several, &part.statements)).collect();
-        let behind = Behind::of(free);
-        Self { several, parts, later, effects, written, asking, free, behind, left: Cell::new(ENDS) }
+        let shared = After::of(free);
+        Self { several, parts, later, effects, written, asking, free, shared, left: Cell::new(ENDS) }
     }
 
     /// What a state tells of what stands below it, whatever it was before: after a round, and so before the next one.
@@ -69,8 +69,8 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         let states = &self.several.states;
         let mut ties = Vec::new();
         for at in 0..self.parts.len() {
-            let behind: Vec<usize> = (at + 1..self.parts.len()).collect();
-            let ([region], false) = (&self.written[at][..], self.below(at, &behind).0.is_empty()) else { continue };
+            let after: Vec<usize> = (at + 1..self.parts.len()).collect();
+            let ([region], false) = (&self.written[at][..], self.below(at, &after).0.is_empty()) else { continue };
             for step in self.several.possible(*region) {
                 let mut env = env.clone();
                 for fact in &mut env.facts {
@@ -139,7 +139,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         Some(done)
     }
 
-    /// Of the parts behind a part those that ask for the state that it leads to, or are below one that does, and the others.
+    /// Of the parts after a part those that ask for the state that it leads to, or are below one that does, and the others.
     fn below(&self, at: usize, next: &[usize]) -> (Vec<usize>, Vec<usize>) {
         let mut led = self.written[at].clone();
         let (mut below, mut beside): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
@@ -211,7 +211,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         for (place, fact) in after.into_iter().enumerate() {
             env.facts[place] = match fact {
                 Fact::Among(list) if list >= env.lists.len() => Fact::Nothing,
-                // At the ends of the ways it is known which places are read behind them: of locals it has to be the place itself.
+                // At the ends of the ways it is known which places are read after them: of locals it has to be the place itself.
                 Fact::Copy(of) if !self.is_kept(of) => Fact::Nothing,
                 fact => fact,
             };
@@ -234,7 +234,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         for (value, tree) in &mut ways {
             settle(tree, state, *value);
         }
-        let behind = self.behind.share(region, &mut ends);
+        let after = self.shared.share(region, &mut ends);
         let mut rest = ends.into_iter();
         for (_, tree) in &mut ways {
             tree.each_leaf_mut(&mut |leaf| {
@@ -247,7 +247,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                 }
             });
         }
-        let mut all: Vec<_> = behind.goes.iter().map(|goes| Statement::Set(*goes, no())).collect();
+        let mut all: Vec<_> = after.goes.iter().map(|goes| Statement::Set(*goes, no())).collect();
         if let [(_, _)] = ways[..] {
             all.extend(ways.pop()?.1.statements());
         } else {
@@ -260,7 +260,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
             }
             all.push(Statement::Match(state, merged(arms), Vec::new()));
         }
-        all.extend(behind.statements);
+        all.extend(after.statements);
         Some(whole(tidy(all), state, states.len()))
     }
 

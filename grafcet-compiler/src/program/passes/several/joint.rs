@@ -108,7 +108,7 @@ impl<'m> Several<'_, 'm> {
     }
 
     /// The conditions that look at several regions; those alone that also decide about several, if there are any: a region that only looks at another one is a part of
-    /// its own behind them.
+    /// its own after them.
     fn synchronised(&self, part: &Part<'m>) -> Vec<usize> {
         let mut found = Vec::new();
         for (at, statement) in part.statements.iter().enumerate() {
@@ -190,7 +190,7 @@ impl<'m> Several<'_, 'm> {
         Some((part, off))
     }
 
-    /// The condition at a place is asked, and the rest done by what it says, if what stands in front of it may stand behind it. Where it holds, the truths `off` are false.
+    /// The condition at a place is asked, and the rest done by what it says, if what stands in front of it may stand after it. Where it holds, the truths `off` are false.
     fn asked_first(&self, part: Part<'m>, at: usize, off: &[PlaceId], env: &Env) -> Option<Vec<Statement<'m>>> {
         let mut wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;
@@ -208,7 +208,7 @@ impl<'m> Several<'_, 'm> {
             those.map(|(statement, _)| statement.clone()).list()
         };
         let (before, mut rest) = (of(true), of(false));
-        // What stays behind must not be what stands in front now.
+        // What stays after must not be what stands in front now.
         let (front, back) = (Effects::of_all(&before), Effects::of_all(&rest));
         let swaps = front.may_swap(&back) && behind.first().is_some_and(|one| Effects::of(one).may_swap(&back));
         let Some(Statement::Set(place, condition)) = behind.first().filter(|_| swaps) else { return None };

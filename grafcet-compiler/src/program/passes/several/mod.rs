@@ -71,7 +71,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
 }
 
 /// How often all statements and places of a program may be gone through, so to speak, for conditions of several regions that are asked first: each of
-/// them doubles what is behind it. Of the charts of this repository that profit from it none takes more than 48.
+/// them doubles what is after it. Of the charts of this repository that profit from it none takes more than 48.
 const EFFORT: usize = 64;
 
 fn effort(program: &Program<'_>) -> usize {
@@ -125,7 +125,7 @@ impl<'p, 'm> Several<'p, 'm> {
         (!asked).then(|| Self::over(program, after)).flatten()
     }
 
-    /// For statements behind which these places are read.
+    /// For statements after which these places are read.
     pub(super) fn over(program: &'p Program<'m>, read_after: Places) -> Option<Self> {
         let (mut states, mut points) = (Vec::new(), Vec::new());
         if program.regions.len() < 2 || program.beside.is_empty() {
@@ -279,7 +279,7 @@ impl<'p, 'm> Several<'p, 'm> {
         body
     }
 
-    /// What is read behind some statements.
+    /// What is read after some statements.
     fn later(&self, env: &Env) -> Places {
         let mut later = self.read_after.clone();
         for place in &*env.later {
@@ -299,7 +299,7 @@ impl<'p, 'm> Several<'p, 'm> {
         let by_group = finer(self.places, &looked, &off, &copies);
         let mut parts = by_group.unwrap_or_else(|| looked.parts(self.places));
         join_wide(&mut parts, self.places);
-        // By part, from the last one on: what is read behind it.
+        // By part, from the last one on: what is read after it.
         let mut later = vec![env.later.clone()];
         for part in parts.iter().skip(1).rev() {
             let mut reads = later.last().cloned().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The first half of the conformance corpus on a Cortex-M, with the host's console behind semihosting.
+//! The first half of the conformance corpus on a Cortex-M, with the host's console after semihosting.
 #![no_std]
 #![no_main]
 

@@ -41,7 +41,7 @@ struct Clearing<'m> {
     tests: Vec<(usize, Vec<StepId>)>,
     /// By region: which statement writes its state last, and what.
     writes: Vec<(usize, usize, Option<StepId>)>,
-    /// Somebody asks for the truth behind it.
+    /// Somebody asks for the truth after it.
     is_kept: bool,
 }
 
@@ -86,7 +86,7 @@ impl Clearing<'_> {
         self.test(region).is_some_and(|own| own.iter().all(|step| steps.contains(step) == is_in))
     }
 
-    /// Whether a region has another state behind it, unless one clears, too, that leads back to the one before.
+    /// Whether a region has another state after it, unless one clears, too, that leads back to the one before.
     fn moves(&self, region: usize, all: &[Self], leads_back: impl Fn(usize) -> bool) -> bool {
         let (Some(own), Some((_, written))) = (self.test(region), self.write(region)) else { return false };
         let is_back = |other: &Self| match other.write(region) {

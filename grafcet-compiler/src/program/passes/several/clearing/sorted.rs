@@ -340,7 +340,7 @@ fn placed<'m>(
     (stays && sorted.moves.iter().all(is_told)).then_some(sorted)
 }
 
-/// Which statements may change places with all of the evolution that stands behind them.
+/// Which statements may change places with all of the evolution that stands after them.
 fn swaps(effects: &[Effects], is_evolution: impl Fn(usize) -> bool) -> Vec<bool> {
     let (mut may, mut evolution) = (vec![false; effects.len()], Effects::default());
     for (at, one) in effects.iter().enumerate().rev() {
