@@ -76,22 +76,29 @@ pub(crate) fn block(visitor: &mut dyn Visit, block: &mut Block) {
     Walk(visitor).visit_block_mut(block);
 }
 
-/// Whether a pattern binds the name.
+/// Whether a pattern binds the name, or may do so by a macro.
 pub(crate) fn binds(pattern: &Pat, name: &Ident) -> bool {
     let mut bound = Bound::default();
     Walk(&mut bound).visit_pat_mut(&mut pattern.clone());
-    bound.0.contains(name)
+    bound.calls || bound.names.contains(name)
 }
 
 /// Whoever asks for nothing but names.
 #[derive(Default)]
-struct Bound(Locals);
+struct Bound {
+    names: Locals,
+    calls: bool,
+}
 
 impl Visit for Bound {
     fn expr(&mut self, _: &mut Expr) {}
 
     fn locals(&mut self) -> &mut Locals {
-        &mut self.0
+        &mut self.names
+    }
+
+    fn call(&mut self, _: &mut Macro) {
+        self.calls = true;
     }
 }
 

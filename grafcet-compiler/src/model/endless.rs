@@ -49,17 +49,25 @@ struct Endless {
     locals: Locals,
 }
 
+/// Whether a call by this name may run Rust; what a macro was given stands in a group of its own.
+fn is_function(called: &syn::Expr) -> bool {
+    match called {
+        syn::Expr::Group(group) => is_function(&group.expr),
+        syn::Expr::Paren(paren) => is_function(&paren.expr),
+        syn::Expr::Path(function) => {
+            let name = function.path.segments.last().map(|segment| segment.ident.to_string());
+            name.is_some_and(|name| !name.starts_with(char::is_uppercase))
+        }
+        // What an expression comes to, as a closure.
+        _ => true,
+    }
+}
+
 impl Visit for Endless {
     fn expr(&mut self, expr: &mut syn::Expr) {
         self.found |= match expr {
             syn::Expr::Loop(_) => true,
-            syn::Expr::Call(call) => match &*call.func {
-                syn::Expr::Path(function) => {
-                    let name = function.path.segments.last().map(|segment| segment.ident.to_string());
-                    name.is_some_and(|name| name.trim_start_matches("r#").starts_with(char::is_lowercase))
-                }
-                _ => false,
-            },
+            syn::Expr::Call(call) => is_function(&call.func),
             _ => false,
         };
         visit::inside(self, expr);
@@ -71,5 +79,40 @@ impl Visit for Endless {
 
     fn call(&mut self, _: &mut Macro) {
         self.found = true;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::diagnostic::Sink;
+    use crate::{model, parse};
+
+    fn may_be_endless(condition: &str, block: &str) -> bool {
+        let text = format!(
+            "sfc C {{ input a: bool; output n: u8; initial step A; step B {{ P1 {{ {block} }} }} A -[{condition}]-> B -[a]-> A; }}"
+        );
+        let mut sink = Sink::new();
+        let chart = parse::chart(text.parse().expect("tokens"), &mut sink).expect("a chart");
+        let model = model::resolve(&chart, &mut sink);
+        _ = sink.finish();
+        model.may_be_endless()
+    }
+
+    #[test]
+    fn rust_that_may_never_come_back() {
+        for condition in ["todo!()", "a && asked()", "(asked)()", "own::asked(a)", "matches!(asked(), 1)", "(|| a)()"] {
+            assert!(may_be_endless(condition, "n = 1;"), "{condition}");
+        }
+        for block in ["loop { n = 1; }", "n = 1; todo!();", "n = if a { todo!() } else { 1 };", "wait();"] {
+            assert!(may_be_endless("a", block), "{block}");
+        }
+    }
+
+    #[test]
+    fn rust_that_comes_back() {
+        for condition in ["a", "matches!(n, 1 | 2)", "n.pow(2) > 3", "Some(n) == Some(1)", "rising(a)"] {
+            assert!(!may_be_endless(condition, "n = 1;"), "{condition}");
+        }
+        assert!(!may_be_endless("a", "if a { n += 1; }"));
     }
 }

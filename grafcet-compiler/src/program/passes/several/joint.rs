@@ -24,7 +24,7 @@ fn size(statements: &[Statement<'_>]) -> usize {
     size
 }
 
-/// What a truth of the cycle is set from, if that is done once, in front of a statement, and can be asked there as well.
+/// What a truth of the cycle is set from, if that is done once, in front of a statement, and says the same there.
 fn value_of<'s, 'm>(
     places: &[PlaceInfo<'m>],
     list: &'s [Statement<'m>],
@@ -34,8 +34,12 @@ fn value_of<'s, 'm>(
     let info = &places[truth.0];
     let mut writers = list.iter().enumerate().filter(|(_, one)| writes_to(one, truth));
     let (at, Statement::Set(_, value)) = writers.next()? else { return None };
-    let is_once = writers.next().is_none() && at < before && !mentions(value, truth);
-    (is_once && !info.is_field && matches!(info.ty, Type::Bool) && is_pure(value)).then_some(value)
+    if writers.next().is_some() || at >= before || mentions(value, truth) {
+        return None;
+    }
+    let mut lasts = is_pure(value);
+    each_read(value, &mut |read| lasts &= !list[at..before].iter().any(|one| writes_to(one, read)));
+    (lasts && !info.is_field && matches!(info.ty, Type::Bool)).then_some(value)
 }
 
 impl<'m> Several<'_, 'm> {
