@@ -124,3 +124,15 @@ fn a_convergence_asks_what_a_branch_before_it_asks() {
     plays(three);
     plays(&three.replacen("sfc", "grafcet", 1));
 }
+
+/// Of two convergences of the same steps the later one asks for an edge, which is found in front of both: what that is there is not what the part begins with.
+#[test]
+fn a_convergence_asks_for_what_has_been_found_in_front_of_it() {
+    for dialect in ["sfc", "grafcet"] {
+        let chart = format!(
+            "{dialect} Edge {{ input a, b, c, d: bool; output p: bool; initial step I {{ p; }} step A; step B; step C; step D; step E; \
+             I -[a]-> (A, B, C); (A, B, C) -[c]-> D -[!c]-> I; (A, B, C) -[rising(C.X)]-> E -[d]-> I; }}"
+        );
+        each_left_out(&read(&chart), &storm(&["a", "b", "c", "d"], 300), 100);
+    }
+}
