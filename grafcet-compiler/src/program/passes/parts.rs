@@ -14,6 +14,7 @@
 use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Role, Statement};
 use super::belonging::Groups;
+use super::sparse::deciding;
 use super::uses::{Effects, each_read, each_written, is_pure, mentions};
 use crate::list::List;
 use crate::sorted::{Map, Set};
@@ -37,7 +38,17 @@ pub(super) fn spread<'m>(
     if !list.iter().any(may_spread) {
         return list;
     }
-    let all = regions(places, &list, &list.iter().map(Effects::of).list());
+    let effects = list.iter().map(Effects::of).list();
+    let all = regions(places, &list, &effects);
+    let mut settable = vec![false; places.len()];
+    for place in effects.iter().flat_map(|effects| &*effects.writes) {
+        settable[place.0] = true;
+    }
+    let is_free = |part: &Expr<'m>| {
+        let mut free = true;
+        each_read(part, &mut |read| free &= !settable[read.0] && region_of(places, read).is_none());
+        free
+    };
     let mut written: Set<PlaceId> = Set::new();
     let mut out = Vec::with_capacity(list.len());
     for (statement, regions) in list.into_iter().zip(all) {
@@ -52,17 +63,31 @@ pub(super) fn spread<'m>(
                     out.push(Statement::Set(place, no()));
                 }
                 for part in asked {
-                    out.push(Statement::Set(place, Expr::Any(vec![Expr::Place(place), part])));
+                    add(&mut out, Statement::Set(place, Expr::Any(vec![Expr::Place(place), part])), &is_free);
                 }
                 written.insert(place);
             }
             other => {
                 each_written(std::slice::from_ref(&other), &mut |place| _ = written.insert(place));
-                out.push(other);
+                add(&mut out, other, &is_free);
             }
         }
     }
     out
+}
+
+/// One more statement. What adds to the same truth as the one in front of it is done there, if both ask for no region, and for nothing that the list sets.
+fn add<'m>(out: &mut Vec<Statement<'m>>, one: Statement<'m>, is_free: &dyn Fn(&Expr<'m>) -> bool) {
+    let adds = gathers(&one).is_some() && out.last().and_then(gathers) == gathers(&one);
+    if let (true, Some(Statement::Set(_, Expr::Any(asked))), Statement::Set(_, Expr::Any(more))) =
+        (adds, out.last_mut(), &one)
+    {
+        if asked[1..].iter().chain(&more[1..]).all(is_free) {
+            asked.extend(more[1..].iter().cloned());
+            return;
+        }
+    }
+    out.push(one);
 }
 
 /// Statements, with what is asked of them again and again.
@@ -80,7 +105,32 @@ impl<'m> Looked<'m> {
         let effects = list.iter().map(Effects::of).list();
         let regions = regions(places, &list, &effects);
         let dependent = dependent(places, &effects, &regions);
-        Self { list, effects, regions, dependent }
+        let mut looked = Self { list, effects, regions, dependent };
+        looked.follow_readers(places);
+        looked
+    }
+
+    /// What is gathered without asking for a state, and decides about one, belongs to whoever asks for the truth, if that is one part alone.
+    fn follow_readers(&mut self, places: &[PlaceInfo<'m>]) {
+        let is_free = |at: &usize| self.regions[*at].is_empty() && gathers(&self.list[*at]).is_some();
+        let free = (0..self.list.len()).filter(is_free).list();
+        if free.is_empty() {
+            return;
+        }
+        let states = (0..places.len()).map(PlaceId).filter(|place| region_of(places, *place).is_some()).list();
+        let deciding = deciding(places, &self.list, &states);
+        for at in free {
+            let Some(truth) = gathers(&self.list[at]).filter(|truth| deciding[truth.0]) else { continue };
+            let mut asking = Set::new();
+            for (other, effects) in self.effects.iter().enumerate() {
+                if effects.reads.contains(&truth) && gathers(&self.list[other]) != Some(truth) {
+                    asking.extend(self.regions[other].iter().copied());
+                }
+            }
+            if self.dependent.key(&asking).is_some_and(|key| key != usize::MAX) {
+                self.regions[at] = asking;
+            }
+        }
     }
 
     /// Those of regions that depend on each other stand together.

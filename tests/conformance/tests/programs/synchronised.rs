@@ -136,3 +136,18 @@ fn a_convergence_asks_for_what_has_been_found_in_front_of_it() {
         each_left_out(&read(&chart), &storm(&["a", "b", "c", "d"], 300), 100);
     }
 }
+
+/// What gives up all branches leads back to the step in which they began, as a convergence does: that it does so is asked by the region of that step alone.
+#[test]
+fn what_gives_up_branches_may_lead_back_to_where_they_began() {
+    let chart = "sfc Back { input a, b, c, d, f: bool; output q, r: bool; initial step I { R q; } step A { S q; } step B { R q; } step C; \
+         step E { S r; } step F { R r; } I -[a]-> (A, C); A -[b]-> B -[!b]-> A; C -[c]-> E -[!c]-> F -[c]-> C; (B, F) -[d]-> I; \
+         any except I -[f]-> I; }";
+    let shown = text(chart);
+    assert!(!shown.contains("entered.") && !shown.contains("clears."), "{shown}");
+    each_left_out(&read(chart), &storm(&["a", "b", "c", "d", "f"], 300), 100);
+    let edge = chart.replacen("-[f]->", "-[rising(f) || a && b && c]->", 1);
+    each_left_out(&read(&edge), &storm(&["a", "b", "c", "d", "f"], 300), 100);
+    let search = chart.replacen("sfc", "grafcet", 1).replacen("-[!b]-> A", "-[!b && d]-> A", 1);
+    each_left_out(&read(&search), &storm(&["a", "b", "c", "d", "f"], 300), 100);
+}
