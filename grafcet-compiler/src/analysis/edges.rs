@@ -1,34 +1,80 @@
-//! Edges that can but let a transition clear.
+//! What changes with an edge that is gone in the next cycle.
 
 use crate::list::List;
-use crate::model::{Association, Binary, Effect, Model, Read, Tree, Unary};
+use crate::model::{Binary, EdgeId, Effect, Id, Model, Read, StepId, Tree, Unary};
+use crate::sorted::Set;
 
-/// Whether all that reads an edge is a condition of a transition that an edge can make true and not false. A search that is
-/// stable while there are edges is stable without them.
-#[must_use]
-pub fn edges_only_help(model: &Model) -> bool {
-    let is_edge = |read: &Read| matches!(read, Read::Rising(_) | Read::Falling(_));
-    let acting = model.associations.values().flat(Association::reads).flatten();
-    let clearing = model.transitions.values().flat(|transition| &transition.clearing).flat(Effect::reads).flatten();
-    let sampled = model.edges.values().map(|edge| &edge.of).and(model.delays.values().map(|delay| &delay.of));
-    !acting.and(clearing).and(sampled.flat(|of| &of.reads)).any(is_edge)
-        && model.transitions.values().all(|transition| helps(&transition.condition.tree, true))
+/// What may change because an edge is gone that was there in the last cycle.
+#[derive(Clone, Default, PartialEq, Eq, Debug)]
+pub struct Gone {
+    /// Whatever is active.
+    pub always: bool,
+    /// Where one of these steps is active, which ask for it in conditions and events of what they do.
+    pub steps: Set<StepId>,
 }
 
-/// Whether the edges of a tree are only asked for (`wanted`), or only for not being there.
-fn helps(tree: &Tree, wanted: bool) -> bool {
-    match tree {
-        Tree::Read(Read::Rising(_) | Read::Falling(_)) => wanted,
-        Tree::Unary(Unary::Not, inner) => helps(inner, !wanted),
-        Tree::Binary(Binary::And | Binary::Or, a, b) => helps(a, wanted) && helps(b, wanted),
-        Tree::Unary(_, inner) => is_free(inner),
-        Tree::Binary(_, a, b) => is_free(a) && is_free(b),
-        Tree::Opaque { reads, .. } => !reads.iter().any(|read| matches!(read, Read::Rising(_) | Read::Falling(_))),
-        Tree::Bool(_) | Tree::Int(_) | Tree::Read(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) => true,
+/// What an edge changes by its end: among what transitions ask for, and in what steps do.
+#[derive(Clone, Default, PartialEq, Eq, Debug)]
+pub struct EdgeEnd {
+    /// Nothing, where it can but make conditions of transitions true and not false: what is stable while there is such an edge is stable without it.
+    pub evolving: Gone,
+    /// Also what steps do after their time, as what is stored does.
+    pub acting: Gone,
+}
+
+/// By edge. `helps` says whether what edges do, as long as they only let transitions clear, is over when a cycle has ended.
+#[must_use]
+pub fn edge_ends(model: &Model, helps: bool) -> Vec<EdgeEnd> {
+    let mut all = vec![EdgeEnd::default(); model.edges.len()];
+    let mut found = Vec::new();
+    for transition in model.transitions.values() {
+        if helps {
+            hinders(&transition.condition.tree, true, &mut found);
+        } else {
+            found.extend(transition.condition.reads.iter().filter_map(edge_of));
+        }
+        found.extend(transition.clearing.iter().flat(Effect::reads).flatten().filter_map(edge_of));
+    }
+    for edge in found.drain(..) {
+        all[edge.index()].evolving.always = true;
+    }
+    for association in model.associations.values() {
+        for read in association.condition.iter().and(&association.event).flat(|expr| &expr.reads) {
+            if let Some(edge) = edge_of(read) {
+                all[edge.index()].acting.steps.insert(association.step);
+            }
+        }
+        // What is stored may be done when its step is not active any more.
+        found.extend(association.effect.reads().into_iter().flatten().filter_map(edge_of));
+    }
+    for edge in found.drain(..) {
+        all[edge.index()].acting.always = true;
+    }
+    let sampled = model.edges.values().map(|edge| &edge.of).and(model.delays.values().map(|delay| &delay.of));
+    found.extend(sampled.flat(|of| &of.reads).filter_map(edge_of));
+    for edge in found {
+        let EdgeEnd { evolving, acting } = &mut all[edge.index()];
+        (evolving.always, acting.always) = (true, true);
+    }
+    all
+}
+
+fn edge_of(read: &Read) -> Option<EdgeId> {
+    match read {
+        Read::Rising(edge) | Read::Falling(edge) => Some(*edge),
+        _ => None,
     }
 }
 
-/// Whether a tree reads no edge.
-fn is_free(tree: &Tree) -> bool {
-    helps(tree, true) && helps(tree, false)
+/// The edges of a tree that are not only asked for (`wanted`), or only for not being there.
+fn hinders(tree: &Tree, wanted: bool, found: &mut Vec<EdgeId>) {
+    match tree {
+        Tree::Read(_) if wanted => {}
+        Tree::Unary(Unary::Not, inner) => hinders(inner, !wanted, found),
+        Tree::Binary(Binary::And | Binary::Or, a, b) => {
+            hinders(a, wanted, found);
+            hinders(b, wanted, found);
+        }
+        other => other.each_read(&mut |read| found.extend(edge_of(&read))),
+    }
 }

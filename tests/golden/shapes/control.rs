@@ -230,6 +230,8 @@ impl Works {
                                         }
                                         turned_ = self.was_q_four_9_;
                                         self.was_q_four_9_ = false;
+                                        any_68__ = any_68__
+                                            || !self.action_edge0_before && inputs_.b;
                                         any_68__ = any_68__ || turned_;
                                     }
                                 }
@@ -283,9 +285,6 @@ impl Works {
                     Ticks::ZERO
                 };
                 self.sd_tmr_late_in = self.sd_ff_late;
-                any_68__ = any_68__ || !self.action_edge0_before && inputs_.b;
-                any_68__ = any_68__ || !self.edge1_before && inputs_.a;
-                any_68__ = any_68__ || self.edge2_before && !inputs_.c;
                 any_68__ = any_68__ || self.count != last_count_;
                 outputs_.late = !on_idle_1__ && self.sd_ff_late
                     && self.sd_tmr_late_held

@@ -80,11 +80,15 @@ impl<'m> Lower<'_, 'm> {
         all(transition.sources.iter().map(|step| self.was(*step)).list())
     }
 
-    /// Whether one of some steps is active, region by region.
+    /// Whether one of some steps was active before the evolution.
     fn one_active(&self, steps: &[StepId]) -> Expr<'m> {
+        Self::by_region(steps.iter().map(|step| self.was(*step)).list())
+    }
+
+    /// Whether one of some steps is active, region by region.
+    pub(super) fn by_region(steps: Vec<Expr<'m>>) -> Expr<'m> {
         let mut regions: Vec<Expr<'m>> = Vec::new();
-        for step in steps {
-            let asked = self.was(*step);
+        for asked in steps {
             let known = regions.iter_mut().find_map(|region| match (region, &asked) {
                 (Expr::Is(place, steps), Expr::Is(other, more)) if place == other => Some((steps, more)),
                 _ => None,

@@ -32,7 +32,7 @@ mod view;
 use std::fmt;
 
 use super::{Expr, PlaceId, PlaceInfo, Program, Regions, Search, Statement};
-use crate::analysis::{Facts, Relation, combinational, hierarchy::masters};
+use crate::analysis::{EdgeEnd, Facts, Relation, combinational, hierarchy::masters};
 use crate::list::List;
 use crate::model::{Blinker, Effect, Id, Model, PartialId, Place, Qualifier, StepId, Ty};
 use crate::sorted::Set;
@@ -173,8 +173,8 @@ struct Lower<'r, 'm> {
     elapsed: Option<PlaceId>,
     reading: Option<PlaceId>,
     settled: Option<PlaceId>,
-    /// Nothing happens because an edge is gone: it can but let something clear, and what clears changes the situation.
-    edges_only_help: bool,
+    /// By edge, what may happen because it is gone.
+    edge_ends: Vec<EdgeEnd>,
     /// `sfc`: a block or an assignment has begun or ended; in a chart that uses time.
     turned: Option<PlaceId>,
     /// A block of the user that is not looked into has run, or an action was called: nobody sees what it has changed. In a chart that uses

@@ -2,7 +2,7 @@
 
 use super::clocks::Clock;
 use super::{Clocks, Lower, Set};
-use crate::analysis::{Facts, combinational, edges_only_help};
+use crate::analysis::{Facts, combinational, edge_ends};
 use crate::list::List;
 use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
 use crate::program::{Initial, PlaceId, PlaceInfo, Regions, Role, Type, Value};
@@ -61,8 +61,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             elapsed: None,
             reading: None,
             settled: None,
-            edges_only_help: edges_only_help(model)
-                && (!model.is_grafcet() || facts.left_and_entered(model).is_empty()),
+            edge_ends: edge_ends(model, !model.is_grafcet() || facts.left_and_entered(model).is_empty()),
             turned: None,
             opaque_ran: None,
             timers: Vec::new(),

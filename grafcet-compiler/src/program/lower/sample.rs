@@ -4,10 +4,10 @@ use super::Lower;
 use super::clocks::Clock;
 use super::places::Delays;
 use super::view::Moment;
-use crate::analysis::combinational;
+use crate::analysis::{EdgeEnd, Gone, combinational};
 use crate::list::{List, PushAll};
 use crate::model::{DelayId, EdgeId, Effect, Id, Name, Place, Read, TimeRef, VarId};
-use crate::program::build::{add, all, any, at_least, choose, compare, differ, no, not, when, zero};
+use crate::program::build::{add, all, any, at_least, choose, compare, differ, no, not, when, yes, zero};
 use crate::program::{Comparison, Expr, PlaceId, Statement, Value};
 use crate::sorted::Set;
 
@@ -79,25 +79,35 @@ impl<'m> Lower<'_, 'm> {
         edges.map(|edges| Statement::Set(edges.before, Expr::Place(edges.now))).list()
     }
 
-    /// Whether there is an edge that something asks for: it is gone in the next cycle.
+    /// Whether there is an edge of which the end may change something: it is gone in the next cycle.
     pub(super) fn has_edges(&self) -> Expr<'m> {
         let mut found = Vec::new();
-        if self.edges_only_help {
-            return no();
-        }
         let reads = self.model.expressions().concat();
         for id in self.model.edges.ids() {
-            for edges in [self.edges[id.index()], self.action_edges[id.index()]].into_iter().flatten() {
+            let EdgeEnd { evolving, acting } = &self.edge_ends[id.index()];
+            let gone = if self.model.is_grafcet() {
+                [self.gone(evolving.always || acting.always, acting), no()]
+            } else {
+                [self.gone(evolving.always, evolving), self.gone(acting.always, acting)]
+            };
+            let places = [self.edges[id.index()], self.action_edges[id.index()]];
+            for (edges, gone) in places.into_iter().zip(gone) {
+                let Some(edges) = edges else { continue };
                 let (before, now) = (Expr::Place(edges.before), Expr::Place(edges.now));
-                let rises = all(vec![not(before.clone()), now.clone()]);
-                match (reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id))) {
-                    (true, true) => found.push(differ(edges.before, edges.now)),
-                    (true, false) => found.push(rises),
-                    (false, _) => found.push(all(vec![before, not(now)])),
-                }
+                let there = match (reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id))) {
+                    (true, true) => differ(edges.before, edges.now),
+                    (true, false) => all(vec![not(before), now]),
+                    (false, _) => all(vec![before, not(now)]),
+                };
+                found.push(all(vec![gone, there]));
             }
         }
         any(found)
+    }
+
+    /// Whether the end of an edge may change something.
+    fn gone(&self, always: bool, gone: &Gone) -> Expr<'m> {
+        if always { yes() } else { Self::by_region(gone.steps.iter().map(|step| self.is(*step)).list()) }
     }
 
     fn visit_edges(&self, seen: &mut Set<Sample>, order: &mut Vec<Sample>) {

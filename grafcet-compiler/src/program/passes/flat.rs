@@ -12,7 +12,7 @@
 
 use super::super::build::{no, not};
 use super::super::{Expr, Initial, PlaceId, PlaceInfo, Role, Statement, Type, Value};
-use super::uses::{Effects, is_plain};
+use super::uses::{Effects, is_plain, is_pure};
 
 /// Lists of `||` that are longer are spread.
 const LONG: usize = 6;
@@ -27,6 +27,28 @@ pub(super) fn flat<'m>(
     let mut flat = Flat { first, in_loop, places, list: Vec::new() };
     flat.add(statements, None);
     flat.list
+}
+
+/// What is sampled of inputs alone is the same in the whole cycle: it is done first, in all states alike.
+pub(super) fn samples_first(list: &mut [Statement<'_>], places: &[PlaceInfo<'_>]) {
+    let mut written = vec![0_u32; places.len()];
+    for place in list.iter().flat_map(|one| Effects::of(one).writes) {
+        written[place.0] += 1;
+    }
+    let mut read = vec![false; places.len()];
+    let mut first = 0;
+    for at in 0..list.len() {
+        let effects = Effects::of(&list[at]);
+        let is_sample = matches!(&list[at], Statement::Set(place, value)
+            if written[place.0] == 1 && !read[place.0] && !places[place.0].is_field && is_pure(value));
+        if is_sample && effects.reads.is_empty() {
+            list[first..=at].rotate_right(1);
+            first += 1;
+        }
+        for place in &*effects.reads {
+            read[place.0] = true;
+        }
+    }
 }
 
 struct Flat<'f, 'm> {

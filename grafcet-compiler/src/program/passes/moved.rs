@@ -14,6 +14,8 @@
 //! So no way stores that nothing has happened, and no cycle the reading of its clock. What is over while its step stays active is marked there, by a
 //! value that no cycle begins with but the first.
 //!
+//! A way that stays may leave something else to the next cycle, as an edge in an action: where it does, it tells so by the value of a state that it did not begin with.
+//!
 //! Needs: the deadline asks whether the last cycle has moved, and nothing else asks that; each way that has moved begins the time anew, and no other.
 
 use super::super::build::{all, compare, not};
@@ -53,6 +55,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
         mark: ways.points[0],
         over: Vec::new(),
         is_first_apart: false,
+        is_unsure: false,
     };
     if !moved.is_told(ways) {
         return begun_behind(program, ways, since);
@@ -140,26 +143,36 @@ struct Moved {
     over: Vec<StepId>,
     /// The first cycle has the same mark, and ends in another step.
     is_first_apart: bool,
+    /// A way that stays may leave something to the next cycle, or not.
+    is_unsure: bool,
 }
 
 impl Moved {
     /// Whether each way to another state leaves something to the next cycle, and each other one tells whether it does; what is over is so
     /// only where nothing has moved.
-    fn is_told(&self, ways: &Ways<'_, '_>) -> bool {
+    fn is_told(&mut self, ways: &Ways<'_, '_>) -> bool {
         let passed = self.passed.and_then(|passed| ways.fields.iter().position(|field| *field == passed));
-        let mut told = true;
+        let (mut told, mut is_unsure) = (true, false);
         for (tree, from) in ways.trees.iter().zip(ways.points) {
             let Some(tree) = tree else { continue };
             told &= !self.is_written(tree);
             each_leaf(tree, &mut |leaf| {
                 let (stays, goes) = (self.has(leaf, true), self.has(leaf, false));
                 let is_over = passed.is_some_and(|at| leaf.facts.get(at) != Some(&Fact::Is(Value::Bool(false))));
-                told &= if leaf.state == *from { stays || goes && !is_over } else { goes && !is_over };
+                let tells = leaf.state == *from && !stays && !goes && leaf.body.iter().any(|one| self.tells(one));
+                is_unsure |= tells;
+                told &= tells || leaf.state == *from && stays || goes && !is_over;
                 let inner = leaf.body.iter().filter(|one| !self.is_own(one));
                 told &= inner.clone().all(|one| !self.writes(one));
             });
         }
+        self.is_unsure = is_unsure;
         told
+    }
+
+    /// Whether it tells whether something is left to the next cycle.
+    fn tells(&self, statement: &Statement<'_>) -> bool {
+        matches!(statement, Statement::Set(place, _) if *place == self.settled)
     }
 
     /// The steps in which a time can be over.
@@ -231,7 +244,12 @@ impl Moved {
         let mut body = Vec::with_capacity(leaf.body.len());
         for statement in leaf.body.drain(..) {
             match statement {
-                Statement::Set(place, _) if place == self.settled => {}
+                Statement::Set(place, value) if place == self.settled => {
+                    if let (Some(apart), false) = (apart, goes || matches!(value, Expr::Value(_))) {
+                        let mark = Statement::Set(before, Expr::Value(apart));
+                        body.push(Statement::If(not(value), vec![mark], Vec::new()));
+                    }
+                }
                 Statement::Set(place, value) if Some(place) == self.passed => {
                     if !matches!(value, Expr::Value(Value::Bool(false))) {
                         let mark = Statement::Set(before, Expr::Value(self.mark));
@@ -272,6 +290,7 @@ impl Moved {
         };
         // Where nothing else is due at once, the last cycle has begun the time.
         if begun
+            && !self.is_unsure
             && matches!(&deadline.at_once, Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == self.settled))
         {
             deadline.reading = Expr::Place(self.since);

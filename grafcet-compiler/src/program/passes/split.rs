@@ -22,7 +22,7 @@ use super::super::{Arm, Deadline, Expr, Initial, PlaceId, Program, Role, Stateme
 use super::alike;
 use super::dead::read_after;
 use super::engine::{End, Engine, Excluding, Fact, Leaf, Lost, Tree, beginning};
-use super::flat::flat;
+use super::flat::{flat, samples_first};
 use super::fold::initial;
 use super::live::Live;
 use super::many::{groups, sum_of_block};
@@ -63,7 +63,8 @@ pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
     let Some(split) = Split::of(program) else { return };
     let mut places = std::mem::take(&mut program.places);
     let before = places.len();
-    let list = flat(&program.cycle, Some(split.first), false, &mut places);
+    let mut list = flat(&program.cycle, Some(split.first), false, &mut places);
+    samples_first(&mut list, &places);
     let assumed: Vec<bool> = places.iter().map(|place| !place.is_field).collect();
     let index = Index::of(&places, &list, split.state, Some(split.first), &assumed, &split.points);
     program.places = places;

@@ -174,6 +174,26 @@ fn an_edge_that_nothing_asks_for_is_no_reason_to_go_on() {
     assert_eq!(rests(&model, &lines, &[]), Ok(()));
 }
 
+/// An edge in what a step does leaves something to the next cycle while that step is active, one that can but let a transition clear nothing. What the step leaves is told by the
+/// state that the cycle is said to have begun with.
+#[test]
+fn an_edge_leaves_something_where_somebody_asks_for_it() {
+    let chart = "sfc Vent { input a, b, c: bool; output p, q: bool; initial step A { p; } step B { q if rising(c); } step C; \
+         A -[a]-> B -[b && 5ms/B]-> C -[rising(a) || 9ms/C]-> A; }";
+    let model = read(chart);
+    let program = optimised(&model, &Pass::ALL).expect("a program");
+    assert_eq!(program.place(Role::Settled), None, "{program}");
+    assert!(!program.to_string().contains("edge0.now = c"), "{program}");
+    let event = chart.replacen("q if rising(c)", "q if 3ms/B; P1 p = falling(c)", 1);
+    let hindered = chart.replacen("-[rising(a) ||", "-[!rising(b) &&", 1);
+    let search = chart.replacen("sfc", "grafcet", 1).replacen("q if", "q = true on", 1);
+    let branches =
+        chart.replacen("A -[a]-> B -[", "step D; step E; A -[a]-> (B, D); D -[falling(b)]-> E; (B, E) -[", 1);
+    for chart in [chart, &event, &hindered, &search, &branches] {
+        passes::each_left_out(&read(chart), &passes::storm(&["a", "b", "c"], 300), 150);
+    }
+}
+
 /// What the checks refuse has no program, whoever asks.
 #[test]
 fn what_has_no_meaning_is_refused() {
