@@ -212,7 +212,6 @@ pub enum Type<'m> {
         list: usize,
         count: i128,
     },
-    Phase,
     /// A declared type that is none of these.
     User(&'m Ty),
 }

@@ -68,7 +68,6 @@ impl Program<'_> {
             Type::Ticks => "time".to_owned(),
             Type::Number => "number".to_owned(),
             Type::Kind { .. } => "kind".to_owned(),
-            Type::Phase => "phase".to_owned(),
             Type::State(region) => {
                 let name = |state: &StepId| match &self.active_in(region, *state)[..] {
                     [_] => self.model.steps[*state].name.to_string(),

@@ -169,7 +169,6 @@ impl<'p, 'm> Lowering<'p, 'm> {
             Type::Bool | Type::User(Ty::Bool(_)) => Sym::Bool(bits[0]),
             Type::Ticks | Type::User(Ty::Time(_)) => Sym::Ticks(number),
             Type::State(_) => Sym::State(number),
-            Type::Phase => Sym::Phase,
             Type::Number | Type::Kind { .. } => Sym::Int(number, None),
             Type::User(ty) => Sym::Int(number, Width::of(ty)?),
         };
@@ -181,7 +180,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
         let place = &self.program.places[id.0];
         let bits = bits::width;
         Ok(Some(match place.ty {
-            Type::Bool | Type::Phase | Type::User(Ty::Bool(_)) => (1, false),
+            Type::Bool | Type::User(Ty::Bool(_)) => (1, false),
             Type::Ticks | Type::User(Ty::Time(_)) => (self.clock.width, false),
             Type::State(region) => (bits(self.program.regions[region].len()), false),
             Type::Number => (bits(self.largest_number), false),

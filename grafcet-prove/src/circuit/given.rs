@@ -90,7 +90,6 @@ impl Lowering<'_, '_> {
                     Type::Bool | Type::User(Ty::Bool(_)) => Sym::bool(false),
                     Type::Ticks | Type::User(Ty::Time(_)) => self.ticks(0),
                     Type::State(_) => self.value(Value::Step(None))?,
-                    Type::Phase => Sym::Phase,
                     Type::Number | Type::Kind { .. } => Sym::int(0),
                     Type::User(ty @ Ty::Int { .. }) => Sym::Int(bits::constant(0), Width::of(ty)?),
                     // Which variant it is, the type says.

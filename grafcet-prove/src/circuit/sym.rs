@@ -148,7 +148,7 @@ impl<'m> Lowering<'_, 'm> {
             }
             (Type::State(_), sym @ Sym::State(_))
             | (Type::Number | Type::Kind { .. }, sym @ Sym::Int(..))
-            | (Type::Phase | Type::User(_), sym) => Ok(sym),
+            | (Type::User(_), sym) => Ok(sym),
             _ => Err(Refused("a value of another type".to_owned())),
         }
     }

@@ -8,7 +8,7 @@ use crate::codegen::{Cx, force, names};
 use crate::list::PushAll;
 use crate::model::{StepId, Ty};
 use crate::place::quote;
-use crate::program::{Arm, Initial, Phase, PlaceId, PlaceInfo, Program, Role, Type, Value};
+use crate::program::{Arm, Initial, PlaceId, PlaceInfo, Program, Role, Type, Value};
 use crate::sorted::Set;
 
 /// How each place is stored.
@@ -132,9 +132,6 @@ impl Layout {
                 let none = !states.empty || has(Value::Step(None));
                 let all = program.states(region).iter().all(|state| has(Value::Step(Some(*state))));
                 all && none && states.start.is_none_or(|Start(seen)| has(Value::Start(seen)))
-            }
-            Type::Phase => {
-                [Phase::First, Phase::Repeated, Phase::Final].into_iter().all(|phase| has(Value::Phase(phase)))
             }
             Type::Kind { count, .. } => (0..count).all(|kind| has(Value::Int(kind))),
             Type::Ticks | Type::Number | Type::User(_) => false,

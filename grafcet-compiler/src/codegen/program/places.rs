@@ -137,7 +137,6 @@ impl<'m> Printer<'_, 'm> {
             // What is counted in a loop is in a register.
             (Type::Number, _) if self.info(place).role == Role::Evolutions => quote!(#p::u32),
             (Type::Number, _) => self.layout.number(p),
-            (Type::Phase, _) => quote!(#p::Phase),
             (ty @ Type::Kind { .. }, _) => kind_type(ty).to_token_stream(),
         }
     }
@@ -152,7 +151,6 @@ impl<'m> Printer<'_, 'm> {
             (Initial::Default, Type::Bool) => quote!(false),
             (Initial::Default, Type::User(ty)) => types::initial_value(None, ty, p),
             (Initial::Default, Type::Number | Type::Kind { .. }) => quote!(0),
-            (Initial::Default, Type::Phase) => quote!(#p::Phase::First),
             (Initial::Default, Type::State(region)) => self.cx.empty(region),
         }
     }

@@ -356,7 +356,6 @@ fn initial_of(ty: Type<'_>) -> Initial<'_> {
         Type::Ticks => Value::Ticks(0),
         Type::State(_) => Value::Step(None),
         Type::Number | Type::Kind { .. } => Value::Int(0),
-        Type::Phase => Value::Phase(crate::program::Phase::First),
         Type::User(_) => return Initial::Default,
     })
 }

@@ -345,7 +345,6 @@ fn default(ty: Type<'_>) -> Value {
         Type::Bool => Value::Bool(false),
         Type::Ticks => Value::Ticks(0),
         Type::State(_) => Value::Step(None),
-        Type::Phase => Value::Phase(Phase::First),
         Type::Number | Type::Kind { .. } | Type::User(Ty::Int { .. }) => Value::Int(0),
         // Of enums whose variants are listed the first one; of others only the caller knows.
         Type::User(_) => Value::Other(0),

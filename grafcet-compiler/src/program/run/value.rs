@@ -96,8 +96,7 @@ impl Term {
         match (self, ty) {
             (Self::Value(value @ Value::Bool(_)), Type::Bool)
             | (Self::Value(value @ Value::Ticks(_)), Type::Ticks)
-            | (Self::Value(value @ (Value::Step(_) | Value::Start(_))), Type::State(_))
-            | (Self::Value(value @ Value::Phase(_)), Type::Phase) => Ok(value),
+            | (Self::Value(value @ (Value::Step(_) | Value::Start(_))), Type::State(_)) => Ok(value),
             (Self::Int(number, _), Type::Number | Type::Kind { .. }) => Ok(Value::Int(number)),
             (term, Type::User(ty)) => term.into_declared(ty),
             (term, _) => Err(Error::Type(format!("{term:?}"))),

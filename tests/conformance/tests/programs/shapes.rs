@@ -15,10 +15,7 @@ use grafcet_conformance::reader;
 use super::{corpus, read, recorded, resolved};
 
 /// What no optimised program has, and why.
-const NEVER: &[(&str, &str)] = &[
-    ("Statement::Mark", "nobody observes generated code, and `marks` leaves none"),
-    ("Type::Phase", "which call it is stands in the call, and no place holds it"),
-];
+const NEVER: &[(&str, &str)] = &[("Statement::Mark", "nobody observes generated code, and `marks` leaves none")];
 
 /// How a place is stored: each `Kind` of `codegen/program/layout.rs`, and what shows it in Rust without white space.
 const KINDS: &[(&str, &str)] = &[
@@ -190,7 +187,7 @@ variants!(EXPRESSIONS, expression: &Expr<'_>, Expr {
 });
 variants!(COMPARISONS, comparison: Comparison, Comparison { Equal Differs Below AtLeast });
 variants!(FENCES, fence: Fence, Fence { Memory Armv6m BeyondArmv6m Inputs });
-variants!(TYPES, of_type: Type<'_>, Type { Bool Ticks State Number Kind Phase User });
+variants!(TYPES, of_type: Type<'_>, Type { Bool Ticks State Number Kind User });
 
 /// What has been seen in programs.
 #[derive(Default)]
