@@ -3,7 +3,7 @@
 use proc_macro2::Delimiter;
 
 use super::input::Turns;
-use super::{Error, Input, Result};
+use super::{Error, Input, Result, refused};
 use crate::diagnostic::{Mark, Sink};
 
 /// All of them from here to the end of the item, each with what is written here.
@@ -62,12 +62,15 @@ pub(super) fn of_rust(input: &Input, word: &str) -> Result<()> {
 
 /// A keyword of Rust that no expression has, in one that Rust could not read: it was meant as a name.
 pub(super) fn keyword(mut input: Input) -> Option<Error> {
+    let declared = refused::keywords(&input);
     for _ in 0..100 {
         let word = input.word().unwrap_or_default();
         if input.is_empty() || input.at(";") || word == "for" {
             return None;
         }
-        if ["in", "type", "use", "mod", "pub", "enum", "trait", "impl", "where", "do", "final"].contains(&word) {
+        let is_name =
+            ["in", "type", "use", "mod", "pub", "enum", "trait", "impl", "where", "do", "final"].contains(&word);
+        if is_name && declared.iter().all(|name| name != word) {
             let message =
                 format!("`{word}` is a keyword of Rust; a signal of that name is written `r#{word}` everywhere");
             return Some(input.error(message));

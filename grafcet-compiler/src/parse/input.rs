@@ -5,7 +5,7 @@ use quote::TokenStreamExt;
 use syn::parse::{ParseStream, Parser};
 
 use super::buffer::{Buffer, Token};
-use super::{Error, Result, attrs, words};
+use super::{Error, Result, attrs, refused, words};
 use crate::diagnostic::Mark;
 
 /// What is left of a body, of a group, or of the whole call. A copy looks ahead.
@@ -46,6 +46,12 @@ impl<'a> Input<'a> {
     /// Whether both stand at the same token.
     pub(super) fn is_at(&self, other: &Self) -> bool {
         self.at == other.at
+    }
+
+    /// One for each token of the call, which stands before it.
+    pub(super) fn everywhere(&self) -> impl Iterator<Item = Self> + use<'a> {
+        let tokens = self.tokens;
+        (0..tokens.len()).map(move |at| Self { tokens, at, end: tokens.len(), group: None, last: None })
     }
 
     fn token(&self) -> Option<&'a Token> {
@@ -270,7 +276,7 @@ impl<'a> Input<'a> {
     }
 
     /// Lets `syn` parse Rust from here, and steps over what it used. What follows is the caller's.
-    pub(super) fn rust<T>(&mut self, parse: impl FnOnce(ParseStream) -> syn::Result<T>) -> Result<T> {
+    pub(super) fn rust<T>(&mut self, parse: impl Fn(ParseStream) -> syn::Result<T>) -> Result<T> {
         let mut ahead = *self;
         let (mut operand, mut lifetime) = (false, false);
         while let Some(token) = ahead.token() {
@@ -289,11 +295,7 @@ impl<'a> Input<'a> {
     }
 
     /// Like [`Input::rust`], for exactly the next `count` tokens.
-    pub(super) fn rust_tokens<T>(
-        &mut self,
-        count: usize,
-        parse: impl FnOnce(ParseStream) -> syn::Result<T>,
-    ) -> Result<T> {
+    pub(super) fn rust_tokens<T>(&mut self, count: usize, parse: impl Fn(ParseStream) -> syn::Result<T>) -> Result<T> {
         let mut ahead = *self;
         for _ in 0..count {
             if let Some(token) = self.tokens[..self.end].get(ahead.at) {
@@ -304,10 +306,18 @@ impl<'a> Input<'a> {
     }
 
     /// Cuts out the tokens up to `end` and lets `syn` parse them.
-    fn cut<T>(&mut self, end: Self, parse: impl FnOnce(ParseStream) -> syn::Result<T>) -> Result<T> {
+    fn cut<T>(&mut self, end: Self, parse: impl Fn(ParseStream) -> syn::Result<T>) -> Result<T> {
         // Draining the piece keeps `syn` from complaining about the part that is not its business.
         let counted = |input: ParseStream| Ok((parse(input)?, input.parse::<TokenStream>()?));
-        let (parsed, left) = counted.parse2(self.piece(&end))?;
+        let piece = self.piece(&end);
+        let (parsed, left) = match counted.parse2(piece.clone()) {
+            // A keyword that is declared as a name has its error there, and is a name here.
+            Err(error) => match refused::raw(piece, &refused::keywords(self)) {
+                Some(piece) => counted.parse2(piece)?,
+                None => return Err(error.into()),
+            },
+            Ok(read) => read,
+        };
         self.step_over(&end, left);
         Ok(parsed)
     }

@@ -23,6 +23,7 @@ mod partial;
 mod property;
 mod range;
 mod recover;
+mod refused;
 mod rust;
 mod setting;
 mod step;
