@@ -116,17 +116,36 @@ pub use heapless;
 
 /// Turns a chart into a state enum and a cycle function.
 ///
-/// For a chart `Motor` it generates, with the chart's visibility,
+/// For a chart `Motor` it generates, with the chart's visibility, these types:
 ///
-/// - `Motor`, the state, with `new`, `cycle`, `init`, `is_active`, `active_steps`, `situation`, and `is_stable` where the
-///   chart is a `grafcet`; it implements [`Chart`];
-/// - `MotorInputs` and `MotorOutputs`, plain structs with a field for each declared input and output;
-/// - `MotorStep` and `MotorTransition`, the names of its steps and transitions;
-/// - `Motor::CHART`, its [`description`] as data, and a picture in the documentation;
-/// - `MotorParams`, where the chart declares a `param`, and the trait `MotorActions`, where it declares an `action`.
+/// | type | what it is |
+/// | --- | --- |
+/// | `Motor` | the state; it implements [`Chart`] |
+/// | `MotorInputs`, `MotorOutputs` | plain structs with a field for each declared input and output. `MotorInputs::DEFAULT` is there where all defaults are constants |
+/// | `MotorStep`, `MotorTransition` | the names of its steps and transitions; `name` gives one as text |
+/// | `MotorSituation` | which steps are active, where that is not always one; elsewhere a situation is a `MotorStep` |
+/// | `MotorParams` | the recipe, where the chart declares a `param` |
+/// | `MotorVars` | the values of its variables, where it stores any |
+/// | `MotorActions` | a trait for whoever carries out the code actions, where the chart declares an `action` |
 ///
-/// A chart that uses time takes the reading of its clock in `cycle`, and has `next_deadline`; one that declares actions
-/// takes what carries them out.
+/// and these items of `Motor`:
+///
+/// | item | where | what it does |
+/// | --- | --- | --- |
+/// | `new`, `init` | always | begins in the initial situation, and goes back there |
+/// | `cycle` | always | one cycle. A chart that uses time takes the reading of its clock, too, and one that declares actions what carries them out |
+/// | `situation`, `is_active`, `active_steps`, `is_exactly` | always | tell which steps are active |
+/// | `CHART` | always | the chart's [`description`] as data. The documentation of `Motor` has its picture |
+/// | `is_stable` | in a `grafcet` | whether the last search came to an end |
+/// | `next_deadline`, `ticks` | with time | until when nothing changes unless an input does; and a `Duration` in ticks of the chart |
+/// | `with_params`, `params`, `set_params` | with a `param` | begin with a recipe, show and exchange it; where a `param` has a range, what is out of it is [refused](OutOfRange) |
+/// | `vars` | with stored variables | their values after the last cycle |
+/// | `late_steps` | with `within` | the steps that take longer |
+/// | `assumptions_hold` | with `assume never` | whether the plant keeps to that |
+/// | `force` | with `forceable;` | into a situation by hand; `Motor` implements [`Forceable`] |
+///
+/// With the feature `record` a chart can be recorded, too (`record::Recordable`), and tells what it waits for (`record::Blocked`). A plant in the
+/// same call becomes a chart of its own.
 ///
 /// What is wrong with the chart is a compile error, all of it at once; where a rule is broken, the message ends with the
 /// rule's name. The types are generated all the same, so that the rest of the program gets no errors that follow from it.

@@ -31,4 +31,6 @@ pub use possible::Possible;
 pub use possible::{ForceError, Forceable};
 pub use range::OutOfRange;
 pub use ticks::Ticks;
+// What generated code computes with times; a program has `next_deadline`.
+#[doc(hidden)]
 pub use time::{earlier, phase, sooner};

@@ -18,7 +18,8 @@ impl Ticks {
     /// The longest time that can be counted.
     pub const MAX: Self = Self(u32::MAX);
 
-    /// So many clock units.
+    /// So many clock units of the chart, milliseconds unless it says otherwise. The generated `ticks` computes them from a
+    /// [`Duration`](core::time::Duration).
     #[must_use]
     pub const fn new(ticks: u32) -> Self {
         Self(ticks)
@@ -63,6 +64,8 @@ impl From<u32> for Ticks {
     }
 }
 
+/// Of two durations: a sum that is too long to be counted is [`Ticks::MAX`]. A reading of the clock wraps around instead, with
+/// [`Ticks::after`].
 impl Add for Ticks {
     type Output = Self;
     fn add(self, other: Self) -> Self {
@@ -70,6 +73,7 @@ impl Add for Ticks {
     }
 }
 
+/// Of two durations: what would be less than nothing is [`Ticks::ZERO`]. Between two readings of the clock lies [`Ticks::since`].
 impl Sub for Ticks {
     type Output = Self;
     fn sub(self, other: Self) -> Self {

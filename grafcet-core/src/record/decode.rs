@@ -63,9 +63,10 @@ pub struct Key<'b> {
     /// Whether the recording begins here, or the chart was changed from outside (`init`, `set_params`): the state does not follow from what
     /// stands before.
     pub replaced: bool,
-    /// How many cycles there were before.
+    /// How many cycles there were before; after 2^32 of them this begins again at zero.
     pub cycle: u32,
-    /// The reading of the clock in the last one.
+    /// The reading of the clock in the last one, in the clock units of the chart; it wraps around. Of a chart without time it is
+    /// the time of the last cycle that was written down.
     pub reading: u32,
     /// The inputs of the last cycle.
     pub inputs: &'b [u8],
@@ -89,7 +90,9 @@ pub struct Entry<'b> {
 pub enum Happened<'b> {
     /// A cycle.
     Cycle {
-        /// The time since the entry before.
+        /// The time since the entry before, in the clock units of the chart. The readings of the clock may have wrapped around in
+        /// between. The time itself has not, as an entry is written soon enough; but in a chart without time, of which nobody reads the
+        /// clock, it may have.
         elapsed: u32,
         /// What has changed of the inputs; `None` if nothing.
         change: Option<Change<'b>>,
@@ -112,7 +115,8 @@ impl<'b> Change<'b> {
         if self.mask.is_empty() { Some(self.values) } else { None }
     }
 
-    /// Changes inputs as they are written down.
+    /// Changes the inputs of the cycle before into those of this one. They are bytes as in [`Key::inputs`], and as many; bytes that have
+    /// not changed stay as they are.
     pub fn apply(&self, inputs: &mut [u8]) {
         let mut values = self.values.iter();
         for (index, byte) in inputs.iter_mut().enumerate() {

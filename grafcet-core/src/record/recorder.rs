@@ -61,7 +61,9 @@ impl<C: Recordable, M: AsRef<[u8]> + AsMut<[u8]>> Recorder<C, Memory<M>> {
         Ok(Self::begun(chart, Memory::of::<C>(memory)?))
     }
 
-    /// Ends the recording.
+    /// Ends the recording: the chart as it is, and the memory with the record.
+    ///
+    /// Cycles that were only counted are not in the record unless [`flush`](Self::flush) has written them down.
     pub fn into_parts(self) -> (C, M) {
         (self.chart, self.keep.into_bytes())
     }
@@ -154,7 +156,8 @@ impl<C: Recordable, K: Keep> Recorder<C, K> {
         self.keep.after(&self.chart);
     }
 
-    /// How many cycles there were.
+    /// How many cycles there were, those that are only counted among them. After 2^32 it begins again at zero: at a cycle a millisecond
+    /// that is after 49 days.
     #[cfg(feature = "steer")]
     pub const fn cycles(&self) -> u32 {
         self.cycles.wrapping_add(self.skipped)

@@ -9,9 +9,9 @@ use crate::Ticks;
 /// A cycle of a replay, or of several in which the same happened.
 #[derive(Debug)]
 pub struct Moment<'m, C: Recordable> {
-    /// The number of the cycle, from zero on.
+    /// The number of the cycle, from zero on; after 2^32 cycles it begins again at zero.
     pub cycle: u32,
-    /// The reading of its clock.
+    /// The reading of its clock, which wraps around.
     pub now: Ticks,
     /// The inputs.
     pub inputs: &'m C::Inputs,

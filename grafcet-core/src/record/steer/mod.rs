@@ -77,19 +77,20 @@ pub struct Command<'s, S: 'static> {
 }
 
 impl<S: Eq> Command<'_, S> {
-    /// The program has carried it out.
+    /// The answer where the program has carried it out, for [`Recorder::answer`](super::Recorder::answer).
     #[must_use]
     pub const fn accepted(&self) -> Answer {
         Answer { number: self.number, outcome: Ok(()) }
     }
 
-    /// The program has not.
+    /// The answer where the program has not, for [`Recorder::answer`](super::Recorder::answer). Why is for the program to say: as a
+    /// rule [`Refused::NotOffered`] or [`Refused::NotNow`]. What [`Commands`] refuses comes with its answer and is no command.
     #[must_use]
     pub const fn refused(&self, why: Refused) -> Answer {
         Answer { number: self.number, outcome: Err(why) }
     }
 
-    /// The chart was not forced, and says why.
+    /// The answer where `force` has refused the situation.
     #[must_use]
     pub fn not_forced(&self, error: ForceError<S>) -> Answer {
         let place = |step: &S| {
