@@ -6,25 +6,24 @@ use crate::sorted::Set;
 
 /// What may change because an edge is gone that was there in the last cycle.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
-pub struct Gone {
+pub(crate) struct Gone {
     /// Whatever is active.
-    pub always: bool,
+    pub(crate) always: bool,
     /// Where one of these steps is active, which ask for it in conditions and events of what they do.
-    pub steps: Set<StepId>,
+    pub(crate) steps: Set<StepId>,
 }
 
 /// What an edge changes by its end: among what transitions ask for, and in what steps do.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
-pub struct EdgeEnd {
+pub(crate) struct EdgeEnd {
     /// Nothing, where it can but make conditions of transitions true and not false: what is stable while there is such an edge is stable without it.
-    pub evolving: Gone,
+    pub(crate) evolving: Gone,
     /// Also what steps do after their time, as what is stored does.
-    pub acting: Gone,
+    pub(crate) acting: Gone,
 }
 
 /// By edge. `helps` says whether what edges do, as long as they only let transitions clear, is over when a cycle has ended.
-#[must_use]
-pub fn edge_ends(model: &Model, helps: bool) -> Vec<EdgeEnd> {
+pub(crate) fn edge_ends(model: &Model, helps: bool) -> Vec<EdgeEnd> {
     let mut all = vec![EdgeEnd::default(); model.edges.len()];
     let mut found = Vec::new();
     for transition in model.transitions.values() {

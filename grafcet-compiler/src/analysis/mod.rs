@@ -36,7 +36,7 @@ pub use claims::{Change, Prover, Question, Ruling};
 pub use concurrency::Concurrency;
 pub(crate) use constant::{Constant, Constants, apart, constant, has_edge, holds_without_edge};
 pub(crate) use dead::{Dead, Explained};
-pub use edges::{EdgeEnd, Gone, edge_ends};
+pub(crate) use edges::{EdgeEnd, Gone, edge_ends};
 pub use facts::Facts;
 pub use logic::{Answer, Condition, Logic};
 pub use mixed::mixed;

@@ -1,5 +1,5 @@
 //! A cycle as one list: paragraphs opened, what asks whether this is the first cycle asked by each statement of its own, long lists of
-//! `||` spread over statements, so that each of them stands for the states in which it matters.
+//! `||` spread over statements, so that each of them stands for the states in which it matters. Of a sequence, what is sampled of inputs alone comes first.
 //!
 //! ```text
 //! -- evolution                          if first: entered.A = true
