@@ -478,13 +478,12 @@ impl Batch {
                 outputs_.lamp = true;
             }
             _ => {
-                let was_count_: ::grafcet::__private::core::primitive::u16 = self.count;
                 let mut opaque_ran_: ::grafcet::__private::bool = false;
                 let mut by_leaving_heat_: ::grafcet::__private::bool = false;
                 let mut on_heat_5__: ::grafcet::__private::bool = false;
                 let mut on_drain_10__: ::grafcet::__private::bool = false;
                 let mut on_drain_11__: ::grafcet::__private::bool = false;
-                let mut any_69__: ::grafcet::__private::bool = false;
+                let any_69__: ::grafcet::__private::bool;
                 match self.region_0 {
                     __BatchRegion0::Idle => {
                         if !self.edge0_before && inputs_.start {
@@ -867,7 +866,6 @@ impl Batch {
                     ::grafcet::__private::Ticks::ZERO
                 };
                 self.sd_tmr_pump_in = self.sd_ff_pump;
-                any_69__ = any_69__ || self.count != was_count_;
                 outputs_.pump = !on_drain_10__
                     && (on_drain_11__
                         || on_heat_5__

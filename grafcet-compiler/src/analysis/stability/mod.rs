@@ -53,18 +53,24 @@ impl Stability {
     /// Looks at the circles of a chart.
     #[must_use]
     pub fn of(model: &Model, concurrency: &Concurrency) -> Self {
-        let events = model.associations.values().any(|a| a.qualifier == Qualifier::On);
-        if events || is_refilled(model) {
+        // An event that comes in the first evolution alone keeps no search from its end, but makes one more look necessary.
+        let mut events = model.associations.values().filter(|one| one.qualifier == Qualifier::On).peekable();
+        let has_events = events.peek().is_some();
+        if !events.all(|one| once::happens_once(model, one)) || is_refilled(model) {
             return Self { certain: false, at_once: false, ends: Ends::default() };
         }
         let mut successors = Successors::new(model);
         let all: Candidates = model.transitions.ids().collect();
-        let at_once = model.partials.len() == 1 && model.forces.is_empty() && circles(&mut successors, &all).is_empty();
+        let at_once = !has_events
+            && model.partials.len() == 1
+            && model.forces.is_empty()
+            && circles(&mut successors, &all).is_empty();
         let certain = at_once || {
             let again = all.iter().copied().filter(|id| !once::clears_once(model, concurrency, *id)).collect();
             ends(&mut successors, again, &all, &mut 0)
         };
-        Self { certain, at_once, ends: search_ends(model, &mut successors) }
+        let ends = if has_events { Ends::default() } else { search_ends(model, &mut successors) };
+        Self { certain, at_once, ends }
     }
 
     /// Whether the situation after an evolution follows from the one before it and from what stays constant during a cycle: a

@@ -1,4 +1,4 @@
-//! In the search over several regions, a stored value that changes only where something moves is not compared, and has no next value beside it.
+//! Of several regions, a stored value that changes only where something moves is not compared, and in a search has no next value beside it.
 //!
 //! ```text
 //! loop                                               loop
@@ -15,16 +15,20 @@
 //!   if !moves: break
 //! ```
 //!
-//! Needs: what sets the next value tells in the same block, or in one around it, that something moves. For the second, nothing reads the value in the round before it
+//! Needs: each way that sets the next value, or without a search the value itself, tells that something moves. For the second, nothing reads the value in the round before it
 //! takes place, and nothing leaves the round.
 
 use super::super::build::any;
 use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
 use super::uses::{Effects, blocks, blocks_mut, is_written_in, writes_to};
+use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 {
         return;
+    }
+    if !program.cycle.iter().any(|one| matches!(one, Statement::Loop { .. })) {
+        since_copied(&mut program.cycle);
     }
     for at in 0..program.cycle.len() {
         if !matches!(program.cycle[at], Statement::Loop { .. }) {
@@ -61,6 +65,98 @@ fn unasked(body: &mut Vec<Statement<'_>>) {
     } else {
         body.remove(at);
     }
+}
+
+/// The same of values that are compared with what they were, in whichever block that is done.
+fn since_copied(block: &mut Vec<Statement<'_>>) {
+    for inner in block.iter_mut().flat_map(blocks_mut) {
+        since_copied(inner);
+    }
+    let mut at = 0;
+    while at < block.len() {
+        let told = gathers(&block[at]).map(|(moves, parts)| {
+            let told = |part: &Expr<'_>| match part {
+                Expr::Compare(Comparison::Differs, a, b) => match (&**a, &**b) {
+                    (Expr::Place(a), Expr::Place(b)) => {
+                        is_said(&block[..at], moves, *a, *b) || is_said(&block[..at], moves, *b, *a)
+                    }
+                    _ => false,
+                },
+                _ => false,
+            };
+            parts.iter().map(told).list()
+        });
+        if let (Some(told), Statement::Set(_, Expr::Any(parts))) = (told, &mut block[at]) {
+            let mut told = std::iter::once(false).chain(told);
+            parts.retain(|_| !told.next().unwrap_or_default());
+            if parts.len() < 2 {
+                block.remove(at);
+                continue;
+            }
+        }
+        at += 1;
+    }
+}
+
+/// Whether a value is kept somewhere, and each way from there on that sets it says that something moves.
+fn is_said(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, kept: PlaceId) -> bool {
+    let Some(copy) = front.iter().position(|one| is_copy(one, kept, value)) else { return false };
+    let rest = &front[copy + 1..];
+    !is_written_in(rest, kept)
+        && ways(rest, vec![Way::default()], moves, value)
+            .is_some_and(|ways| ways.iter().all(|way| way.says || !way.changes))
+}
+
+/// What has been done on a way.
+#[derive(Clone, Copy, Default, PartialEq)]
+struct Way {
+    changes: bool,
+    says: bool,
+}
+
+/// The ways through statements. None, where one leaves them.
+fn ways(statements: &[Statement<'_>], mut all: Vec<Way>, moves: PlaceId, value: PlaceId) -> Option<Vec<Way>> {
+    for statement in statements {
+        let mut after = Vec::new();
+        match statement {
+            Statement::Set(place, set) => {
+                let adds = gathers(statement).is_some();
+                for way in &mut all {
+                    way.changes |= *place == value;
+                    if *place == moves {
+                        way.says = matches!(set, Expr::Value(Value::Bool(true))) || adds && way.says;
+                    }
+                }
+                after = all;
+            }
+            Statement::Part(_, body) => after = ways(body, all, moves, value)?,
+            Statement::If(_, then, otherwise) => {
+                after = ways(then, all.clone(), moves, value)?;
+                after.extend(ways(otherwise, all, moves, value)?);
+            }
+            Statement::Match(_, arms, otherwise) => {
+                for (_, body) in arms {
+                    after.extend(ways(body, all.clone(), moves, value)?);
+                }
+                after.extend(ways(otherwise, all, moves, value)?);
+            }
+            Statement::Loop { .. } | Statement::Break => return None,
+            other => {
+                for way in &mut all {
+                    way.changes |= writes_to(other, value);
+                    way.says &= !writes_to(other, moves);
+                }
+                after = all;
+            }
+        }
+        all = Vec::new();
+        for way in after {
+            if !all.contains(&way) {
+                all.push(way);
+            }
+        }
+    }
+    Some(all)
 }
 
 /// `moves = moves || …`

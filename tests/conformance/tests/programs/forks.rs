@@ -113,3 +113,22 @@ fn tables_follow_when_places_are_counted_anew() {
     assert!(shown.contains("table(now.state)") && !shown.contains("next.level"), "{shown}");
     is_the_same(&ring);
 }
+
+/// An event that is an edge of inputs comes in the first evolution of a search alone: it keeps no search from its end.
+#[test]
+fn a_search_with_events_of_inputs_has_no_bound() {
+    for (event, bounded) in [
+        ("rising(c)", false),
+        ("falling(b) && n < 4", false),
+        ("rising(c) || falling(b)", false),
+        ("rising(B.X)", true),
+        ("rising(c) || rising(A.X)", true),
+    ] {
+        let chart = format!(
+            "grafcet Seen {{ input a, b, c: bool; output q: bool; var n: u8 = 0; initial step A; step B {{ on {event} n = n % 5 + 1; }} step C {{ q; on rising(b) n = 0; }} \
+             A -[a]-> B -[!a && n > 2]-> C -[b || 4ms/C]-> A; }}"
+        );
+        assert_eq!(text(&chart, &[]).contains("evolutions"), bounded, "{event}");
+        is_the_same(&chart);
+    }
+}

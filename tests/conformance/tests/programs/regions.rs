@@ -375,3 +375,19 @@ fn an_edge_of_a_step_begins_with_the_initial_situation() {
         drawn(&[("a", false), ("b", false)], 300).replacen("---\n---\n", "---\n---\na b @4294967230 | |\n", 1);
     each_left_out(&read(&chart.replace("rising(2ms/b)", "rising(0ms/b/4ms)")), &timeline, 100);
 }
+
+/// A variable that changes on ways alone that say that something moves is not compared with what it was; one that changes on others is.
+#[test]
+fn what_changes_with_the_steps_is_not_compared() {
+    for (more, compared) in [("", false), ("N n = n % 3;", true), ("P0 n = 2;", false), ("S n = n % 2 + 1;", true)] {
+        let chart = format!(
+            "sfc Packs {{ input a, b, c: bool; output p, q: bool; var n: u8 = 0; initial step Idle {{ P1 n = 0; p if rising(c); }} step Move {{ P1 n = n % 5 + 1; }} step Down {{ {more} }} \
+             step Heat {{ L 3ms q; }} step Hot; Idle -[rising(a)]-> (Move, Heat); Move -[b && 2ms/Move]-> Down; Down -[n < 3 && !b]-> Move; Heat -[falling(c)]-> Hot; \
+             (Down, Hot) -[n >= 3 && 7ms/Hot]-> Idle; }}"
+        );
+        let model = read(&chart);
+        let program = optimised(&model, &Pass::ALL).expect("a program").to_string();
+        assert_eq!(program.contains("n != was.n"), compared, "{more}: {program}");
+        each_left_out(&model, &storm(&["a", "b", "c"], 300), 120);
+    }
+}
