@@ -54,9 +54,9 @@ impl Stability {
     #[must_use]
     pub fn of(model: &Model, concurrency: &Concurrency) -> Self {
         // An event that comes in the first evolution alone keeps no search from its end, but makes one more look necessary.
-        let mut events = model.associations.values().filter(|one| one.qualifier == Qualifier::On).peekable();
-        let has_events = events.peek().is_some();
-        if !events.all(|one| once::happens_once(model, one)) || is_refilled(model) {
+        let events = model.associations.values().filter(|one| one.qualifier == Qualifier::On).list();
+        let has_events = !events.is_empty();
+        if !events.iter().all(|one| once::happens_once(model, one)) || is_refilled(model) {
             return Self { certain: false, at_once: false, ends: Ends::default() };
         }
         let mut successors = Successors::new(model);

@@ -18,59 +18,29 @@
 //! Needs: each way that sets the next value, or without a search the value itself, tells that something moves. For the second, nothing reads the value in the round before it
 //! takes place, and nothing leaves the round.
 
-use super::super::build::any;
 use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
-use super::uses::{Effects, blocks, blocks_mut, is_written_in, writes_to};
+use super::uses::{Effects, blocks_mut, is_written_in, writes_to};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 {
         return;
     }
-    if !program.cycle.iter().any(|one| matches!(one, Statement::Loop { .. })) {
-        since_copied(&mut program.cycle);
-    }
+    unasked(&mut program.cycle);
     for at in 0..program.cycle.len() {
         if !matches!(program.cycle[at], Statement::Loop { .. }) {
             continue;
         }
         let behind = Effects::of_all(&program.cycle[at + 1..]);
         let Statement::Loop { body, .. } = &mut program.cycle[at] else { continue };
-        unasked(body);
         in_place(&program.places, body, &behind);
     }
 }
 
-/// Does not ask for changes that tell no more than is known.
-fn unasked(body: &mut Vec<Statement<'_>>) {
-    let Some(at) = body.iter().position(|one| gathers(one).is_some()) else { return };
-    let Some((moves, parts)) = gathers(&body[at]) else { return };
-    let mut left = vec![Expr::Place(moves)];
-    for part in parts {
-        let told = match part {
-            Expr::Compare(Comparison::Differs, a, b) => match (&**a, &**b) {
-                (Expr::Place(a), Expr::Place(b)) => {
-                    is_told(&body[..at], moves, *a, *b) || is_told(&body[..at], moves, *b, *a)
-                }
-                _ => false,
-            },
-            _ => false,
-        };
-        if !told {
-            left.push(part.clone());
-        }
-    }
-    if left.len() > 1 {
-        body[at] = Statement::Set(moves, any(left));
-    } else {
-        body.remove(at);
-    }
-}
-
-/// The same of values that are compared with what they were, in whichever block that is done.
-fn since_copied(block: &mut Vec<Statement<'_>>) {
+/// Does not ask for changes that tell no more than is known, in whichever block that is done.
+fn unasked(block: &mut Vec<Statement<'_>>) {
     for inner in block.iter_mut().flat_map(blocks_mut) {
-        since_copied(inner);
+        unasked(inner);
     }
     let mut at = 0;
     while at < block.len() {
@@ -78,7 +48,7 @@ fn since_copied(block: &mut Vec<Statement<'_>>) {
             let told = |part: &Expr<'_>| match part {
                 Expr::Compare(Comparison::Differs, a, b) => match (&**a, &**b) {
                     (Expr::Place(a), Expr::Place(b)) => {
-                        is_said(&block[..at], moves, *a, *b) || is_said(&block[..at], moves, *b, *a)
+                        is_told(&block[..at], moves, *a, *b) || is_told(&block[..at], moves, *b, *a)
                     }
                     _ => false,
                 },
@@ -98,9 +68,10 @@ fn since_copied(block: &mut Vec<Statement<'_>>) {
     }
 }
 
-/// Whether a value is kept somewhere, and each way from there on that sets it says that something moves.
-fn is_said(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, kept: PlaceId) -> bool {
-    let Some(copy) = front.iter().position(|one| is_copy(one, kept, value)) else { return false };
+/// Whether two places have been made the same, only the first has been written since, and each way on which it was says that something moves.
+fn is_told(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, kept: PlaceId) -> bool {
+    let same = |one: &Statement<'_>| is_copy(one, kept, value) || is_copy(one, value, kept);
+    let Some(copy) = front.iter().rposition(same) else { return false };
     let rest = &front[copy + 1..];
     !is_written_in(rest, kept)
         && ways(rest, vec![Way::default()], moves, value)
@@ -168,52 +139,8 @@ fn gathers<'s, 'm>(statement: &'s Statement<'m>) -> Option<(PlaceId, &'s [Expr<'
     }
 }
 
-/// Whether `next` begins as `value` and becomes another one only where it is told that something moves.
-fn is_told(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, next: PlaceId) -> bool {
-    let Some(copy) = front.iter().position(|one| is_copy(one, next, value)) else { return false };
-    let sets = |list: &[Statement<'_>], place: PlaceId| is_written_in(list, place);
-    let is_off =
-        |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == moves);
-    let Some(off) = front.iter().rposition(is_off) else { return false };
-    let early = sets(&front[..copy], next) || off > copy && sets(&front[copy + 1..off], next);
-    let rest = &front[copy.max(off) + 1..];
-    !early && !sets(front, value) && rest.iter().all(|one| tells(std::slice::from_ref(one), moves, next))
-}
-
 fn is_copy(statement: &Statement<'_>, to: PlaceId, from: PlaceId) -> bool {
     matches!(statement, Statement::Set(place, Expr::Place(of)) if *place == to && *of == from)
-}
-
-/// Whether each block that sets a place tells that something moves, or stands in one that does. Nothing takes that back.
-fn tells(block: &[Statement<'_>], moves: PlaceId, next: PlaceId) -> bool {
-    let says =
-        block.iter().any(|one| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(true))) if *place == moves));
-    let takes_back = block.iter().any(|one| match one {
-        Statement::Set(place, value) => *place == moves && !matches!(value, Expr::Value(Value::Bool(true))),
-        _ => false,
-    });
-    let each = |one: &Statement<'_>| match one {
-        Statement::Set(place, _) => *place != next,
-        Statement::Run(_) => !writes_to(one, next),
-        other => blocks(other).into_iter().all(|block| tells(block, moves, next)),
-    };
-    let clean = |one: &Statement<'_>| {
-        let mut clean = true;
-        each_set(one, &mut |place, value| clean &= place != moves || matches!(value, Expr::Value(Value::Bool(true))));
-        clean
-    };
-    !takes_back && block.iter().all(clean) && (says || block.iter().all(each))
-}
-
-fn each_set<'m>(statement: &Statement<'m>, each: &mut dyn FnMut(PlaceId, &Expr<'m>)) {
-    if let Statement::Set(place, value) = statement {
-        each(*place, value);
-    }
-    for block in blocks(statement) {
-        for one in block {
-            each_set(one, each);
-        }
-    }
 }
 
 /// Sets values where their next ones are set.
