@@ -143,6 +143,7 @@ fn carry<'m>(place: PlaceId, value: &Expr<'m>, rest: &mut [Statement<'m>], effec
     if operands.contains(&place) {
         return;
     }
+    let is_cheap = matches!(value, Expr::Place(_) | Expr::Value(_) | Expr::Input(_) | Expr::Now);
     let (mut count, mut last, mut clean) = (0, 0, true);
     for (at, (statement, effects)) in rest.iter().zip(&*effects).enumerate() {
         let is_written = effects.writes.contains(&place);
@@ -154,6 +155,9 @@ fn carry<'m>(place: PlaceId, value: &Expr<'m>, rest: &mut [Statement<'m>], effec
                 return;
             }
             count += here;
+            if count > 1 && !is_cheap {
+                return;
+            }
             last = if here > 0 { at + 1 } else { last };
         }
         if is_written {
@@ -164,7 +168,6 @@ fn carry<'m>(place: PlaceId, value: &Expr<'m>, rest: &mut [Statement<'m>], effec
         }
         clean &= !writes;
     }
-    let is_cheap = matches!(value, Expr::Place(_) | Expr::Value(_) | Expr::Input(_) | Expr::Now);
     if count == 1 || is_cheap {
         let new = |expr: &Expr<'m>| {
             replaced(expr, &|leaf| match (leaf, value) {

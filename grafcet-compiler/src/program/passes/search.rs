@@ -295,7 +295,8 @@ impl<'m> Search<'m> {
         // In each state it is asked of each of these conditions whether it holds there.
         let mut behind = self.behind.clone();
         rewrite(&mut behind, &mut |expr| replaced(expr, &gathered));
-        let index = Index::of_region(places, &behind, self.state, &vec![false; places.len()], &self.points, 0);
+        let none = vec![false; places.len()];
+        let index = Index::of_region(places, &behind, (self.state, none.clone()), &none, &self.points, 0);
         // Nothing is known of what the loop has written but what it is left with.
         let nothing = vec![Fact::Nothing; places.len()];
         let mut engine = Engine::new(places, (&behind, &index), self.state, &self.points, &[], nothing);

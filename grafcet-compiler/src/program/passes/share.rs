@@ -8,6 +8,8 @@
 
 use super::super::Statement;
 use super::uses::{Effects, same_statement};
+use crate::list::List;
+use crate::sorted::sort_by_key;
 
 /// Takes out of the lists what all of them can do at their ends.
 pub(super) fn ends<'m>(
@@ -19,6 +21,9 @@ pub(super) fn ends<'m>(
     for list in lists.iter() {
         views.push(View::of(list));
     }
+    // What is not in the shortest is looked for in no other.
+    let mut order = (0..lists.len()).list();
+    sort_by_key(&mut order, |list| lists[*list].len());
     let mut taken = Vec::new();
     for at in (0..leader.len()).rev() {
         let statement = &lists[0][at];
@@ -26,14 +31,14 @@ pub(super) fn ends<'m>(
             continue;
         }
         let mut places = Vec::with_capacity(lists.len());
-        for (list, view) in lists.iter().zip(&views) {
-            let Some(place) = view.find(list, statement) else { break };
+        for list in &order {
+            let Some(place) = views[*list].find(lists[*list], statement) else { break };
             places.push(place);
         }
         if places.len() == lists.len() {
-            for (view, place) in views.iter_mut().zip(&places) {
-                view.taken[*place] = true;
-                view.end = *place;
+            for (list, place) in order.iter().zip(&places) {
+                views[*list].taken[*place] = true;
+                views[*list].end = *place;
             }
             taken.push(at);
         }

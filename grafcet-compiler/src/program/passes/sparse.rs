@@ -143,16 +143,19 @@ impl Index {
 }
 
 impl Index {
-    /// The same of one of several regions, whose states are written up to the statement `end`; the truths that are false in front of it are `assumed`.
+    /// The same of one of several regions, whose states are written up to the statement `end`; the truths that are false in front of it are `assumed`, and the state
+    /// is copied to some places.
     pub(super) fn of_region(
         places: &[PlaceInfo<'_>],
         list: &[Statement<'_>],
-        state: PlaceId,
+        (state, copies): (PlaceId, Vec<bool>),
         assumed: &[bool],
         points: &States,
         end: usize,
     ) -> Self {
-        Sparse::new(places, state, None, assumed, points).index(list, end)
+        let mut sparse = Sparse::new(places, state, None, assumed, points);
+        sparse.copies = copies;
+        sparse.index(list, end)
     }
 
     /// All statements in all states.

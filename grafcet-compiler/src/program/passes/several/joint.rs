@@ -81,7 +81,9 @@ impl<'m> Several<'_, 'm> {
         }
         let (region, alone) = best?;
         let state = self.states[region];
-        let trees = self.arms(region, &alone, &part.statements, env)?;
+        let here = self.beside_all(region, &alone, part, env);
+        let (list, _) = self.folded(&part.statements, &here);
+        let trees = self.arms(region, &alone, &list, &here)?;
         let mut arms = Vec::new();
         for (value, tree) in trees {
             arms.push((vec![value], tree.statements()));
@@ -109,6 +111,20 @@ impl<'m> Several<'_, 'm> {
         let mut all = vec![Statement::Match(state, merged(arms), rest)];
         all.extend(behind);
         Some(all)
+    }
+
+    /// What is known where a region is in one of these states: of the others what all of these tell.
+    fn beside_all(&self, region: usize, states: &Among, part: &Part<'m>, env: &Env) -> Env {
+        let mut here = env.clone();
+        here.facts[self.states[region].0] = here.among(states.clone());
+        for other in part.regions.iter().filter(|other| **other != region) {
+            let mut told = states.iter().map(|step| self.narrowed(*other, *step, env));
+            let first = told.next().flatten();
+            if let Some(fact) = first.filter(|_| told.all(|fact| fact == first)) {
+                here.facts[self.states[*other].0] = fact;
+            }
+        }
+        here
     }
 
     /// The conditions that look at several regions; those alone that also decide about several, if there are any: a region that only looks at another one is a part of

@@ -1,12 +1,13 @@
 //! A part of one region: for each state what is done in it, and whether the ways to a state act on their own.
 
 use super::super::engine::{Among, Fact, Tree};
-use super::super::live::Live;
+use super::super::fold::initial;
+use super::super::live::{Live, Places};
 use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
-use super::super::uses::writes_to;
+use super::super::uses::{each_asked, each_written, writes_to};
 use super::{Env, Several, Tie};
 use crate::list::List;
 use crate::model::{Id, StepId};
@@ -58,12 +59,18 @@ impl<'m> Several<'_, 'm> {
         let (points, state) = (&self.points[region], self.states[region]);
         let writes = |one: &Statement<'m>| self.decides(std::slice::from_ref(one));
         let end = list.iter().rposition(writes);
+        let later = self.later(env);
+        let own = self.own_truths(list, &later, env);
         let mut index = if states.len() < FEW {
             Index::whole(self.places.len(), list.len(), points)
         } else {
             let is_false = |fact: &Fact| *fact == Fact::Is(Value::Bool(false));
-            let assumed = env.facts.iter().map(is_false).list();
-            Index::of_region(self.places, list, state, &assumed, points, end.unwrap_or(0))
+            let mut assumed = env.facts.iter().map(is_false).list();
+            for truth in &own {
+                assumed[truth.0] = true;
+            }
+            let copies = env.facts.iter().map(|fact| *fact == Fact::Copy(state)).list();
+            Index::of_region(self.places, list, (state, copies), &assumed, points, end.unwrap_or(0))
         };
         if let Some(end) = end {
             index.last = end;
@@ -72,9 +79,11 @@ impl<'m> Several<'_, 'm> {
                 *forks &= matches!(place.ty, Type::Bool);
             }
         }
-        let later = self.later(env);
         let mut engine = self.engine(list, &index, region, env);
         engine.tells_all = tells_all;
+        for truth in own {
+            engine.env[truth.0] = Fact::Assumed(Value::Bool(false));
+        }
         let mut arms = Vec::new();
         for step in states {
             let mut known = vec![(state, Fact::Is(Value::Step(*step)))];
@@ -96,6 +105,25 @@ impl<'m> Several<'_, 'm> {
             arms.push((Value::Step(*step), tree));
         }
         Some((arms, engine.lists))
+    }
+
+    /// Truths that are set before they are read, and that nobody reads afterwards: what they hold in front of the statements is of no matter, so they
+    /// may be taken for false there, and a state is not looked at with what sets them in others.
+    fn own_truths(&self, list: &[Statement<'m>], later: &Places, env: &Env) -> Vec<PlaceId> {
+        let mut seen = vec![false; self.places.len()];
+        let mut own = Vec::new();
+        for statement in list {
+            each_asked(std::slice::from_ref(statement), &mut |place| seen[place.0] = true);
+            if let Statement::Set(place, _) = statement {
+                let info = &self.places[place.0];
+                let is_free = !seen[place.0] && !info.is_field && !later.contains(*place);
+                if is_free && env.facts[place.0] == Fact::Nothing && initial(info) == Some(Value::Bool(false)) {
+                    own.push(*place);
+                }
+            }
+            each_written(std::slice::from_ref(statement), &mut |place| seen[place.0] = true);
+        }
+        own
     }
 
     /// What is known of a region beside a step of another one, where that is a single state.
