@@ -765,7 +765,8 @@ impl Batch {
             let on_idle_0__: bool = left_idle_;
             let on_fill_1__: bool = self.region_0
                 == __BatchRegion0::Fill;
-            let on_fill_2__: bool = entered_fill_;
+            let on_fill_2__: bool = self.region_0
+                == __BatchRegion0::Fill && entered_fill_;
             let on_fill_3__: bool = self.region_0
                 == __BatchRegion0::Fill;
             let on_heat_4__: bool = self.region_1

@@ -110,7 +110,10 @@ impl<'m> Lower<'_, 'm> {
             let flag = self.truth(name);
             let step = association.step.index();
             let (is_on, moment) = match association.qualifier.trigger(Dialect::Sfc) {
-                Trigger::Activation => (Expr::Place(self.entered[step]), Moment::After),
+                // Said twice, as a step that has been entered is active: so it is a matter of that state alone.
+                Trigger::Activation => {
+                    (all(vec![self.is(association.step), Expr::Place(self.entered[step])]), Moment::After)
+                }
                 Trigger::Deactivation => (Expr::Place(self.left[step]), Moment::Leaving),
                 Trigger::Active | Trigger::Event => (self.is(association.step), Moment::After),
             };

@@ -54,7 +54,7 @@ impl<'m> Several<'_, 'm> {
             Some(done) if synchronised.len() > FEW => done,
             Some(done) => {
                 let by_condition = self.by_condition(part, &synchronised, env);
-                if size(&done) < size(&by_condition) { done } else { by_condition }
+                if 5 * size(&done) < 4 * size(&by_condition) { done } else { by_condition }
             }
             None => self.by_condition(part, &synchronised, env),
         }

@@ -220,6 +220,11 @@ impl<'p, 'm> Several<'p, 'm> {
         }
     }
 
+    /// The region that a step belongs to.
+    pub(super) fn region_with(&self, step: StepId) -> Option<usize> {
+        self.points.iter().position(|points| points.of_step(step).is_some())
+    }
+
     /// All states of a region; there may be none.
     pub(super) fn possible(&self, region: usize) -> Among {
         let mut all = Vec::new();

@@ -14,12 +14,14 @@
 //! ```
 //!
 //! A condition asks for the state before: of a copy, where a transition in front of it may have written what it asks for. What several write, the one
-//! writes last that did so before. Where somebody asks later on what has cleared, all is asked beforehand.
+//! writes last that did so before. Where somebody asks later on what has cleared, each transition says so (`told`).
 
 mod order;
 mod sorted;
+mod told;
 
 use super::super::engine::Fact;
+use super::super::fold::excludes;
 use super::super::parts::Part;
 use super::super::uses::Effects;
 use super::{Env, Several};
@@ -29,6 +31,7 @@ use crate::program::{Expr, PlaceId, Statement};
 use crate::sorted::Set;
 
 use order::{Groups, Writer};
+use sorted::Sorted;
 
 /// A transition.
 struct Clearing<'m> {
@@ -45,10 +48,22 @@ struct Clearing<'m> {
     is_kept: bool,
 }
 
-/// A truth becomes true where a region moves.
-struct Moved {
+/// Where it is asked which transitions clear.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Asking {
+    /// In one place each; whoever denies another transition, where that one does not clear.
+    Denying,
+    /// In one place each, but for those that others deny.
+    Telling,
+    /// Of all for which anybody asks later on, before one clears.
+    Beforehand,
+}
+
+/// A truth that becomes true where transitions clear.
+struct Told {
     truth: PlaceId,
-    region: usize,
+    /// Which of them; `None` is each.
+    by: Option<Set<usize>>,
     /// It is false before.
     begins: bool,
 }
@@ -62,12 +77,30 @@ impl Clearing<'_> {
         self.writes.iter().find(|(other, ..)| *other == region).map(|(_, at, step)| (*at, *step))
     }
 
-    /// Two that never clear together, as one of them needs a step that the other one cannot have beside its own.
+    /// It asks for other steps of a region than the one that is active.
+    fn is_elsewhere(&self, (region, step): (usize, StepId)) -> bool {
+        self.test(region).is_some_and(|steps| !steps.contains(&step))
+    }
+
+    /// Two that never clear together, as one of them needs a step that the other one cannot have beside its own, or what the other one denies.
     fn excludes(&self, other: &Self) -> bool {
         let apart = |region: usize, steps: &[StepId]| {
             other.test(region).is_some_and(|others| !steps.iter().any(|step| others.contains(step)))
         };
-        self.tests.iter().any(|(region, steps)| apart(*region, steps))
+        self.tests.iter().any(|(region, steps)| apart(*region, steps)) || self.denies(other) || other.denies(self)
+    }
+
+    /// It asks for the opposite of what the other one asks for, or that this one does not clear.
+    fn denies(&self, other: &Self) -> bool {
+        let is_denied = |asked: &Expr<'_>| match asked {
+            Expr::Not(inner) => {
+                matches!(**inner, Expr::Place(truth) if truth == other.truth) || {
+                    other.asks.iter().any(|one| excludes(one, asked))
+                }
+            }
+            _ => false,
+        };
+        self.asks.iter().any(is_denied)
     }
 
     /// Whether another one that may clear with it says last what becomes of a region.
@@ -101,23 +134,17 @@ impl Clearing<'_> {
 impl<'m> Several<'_, 'm> {
     /// The part transition by transition, if it is understood.
     pub(super) fn by_clearing(&self, part: &Part<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
-        let sorted = self.sorted(&part.statements, env)?;
-        let groups = Groups { several: self, clearings: &sorted.clearings };
-        let free = self.free(&part.statements, env);
-        let mut writer = Writer { groups, moves: &sorted.moves, free: &free, copies: Set::new(), done: Vec::new() };
-        let mut evolution = Vec::new();
-        for group in &groups.ordered()? {
-            evolution.extend(writer.group(group)?);
-        }
+        let ways = [Asking::Denying, Asking::Telling, Asking::Beforehand];
+        let (sorted, evolution, copies) = ways.into_iter().find_map(|asking| self.evolution(part, env, asking))?;
         let mut all = Vec::new();
-        for region in &*writer.copies {
+        for region in &*copies {
             let (was, state) = (self.was[*region]?, self.states[*region]);
             if !is_copied(&sorted.before, was, state) {
                 all.push(Statement::Set(was, Expr::Place(state)));
             }
         }
         all.extend(sorted.before.iter().cloned());
-        for Moved { truth, .. } in sorted.moves.iter().filter(|moved| moved.begins) {
+        for Told { truth, .. } in sorted.told.iter().filter(|told| told.begins) {
             all.push(Statement::Set(*truth, no()));
         }
         let mut env = env.clone();
@@ -134,11 +161,31 @@ impl<'m> Several<'_, 'm> {
                 }
             }
         }
-        for Moved { truth, .. } in &sorted.moves {
+        for Told { truth, .. } in &sorted.told {
             env.facts[truth.0] = Fact::Nothing;
         }
         all.extend(self.spec(&sorted.after, &env));
         Some(all)
+    }
+
+    /// The statements of a part in their order, what stands for its transitions, and the regions of which a copy is wanted for that.
+    #[allow(clippy::type_complexity, reason = "three results, each used once")]
+    fn evolution(
+        &self,
+        part: &Part<'m>,
+        env: &Env,
+        asking: Asking,
+    ) -> Option<(Sorted<'m>, Vec<Statement<'m>>, Set<usize>)> {
+        let sorted = self.sorted(&part.statements, env, asking)?;
+        let groups = Groups { several: self, clearings: &sorted.clearings, asking };
+        let free = self.free(&part.statements, env);
+        let mut writer = Writer { groups, told: &sorted.told, free: &free, copies: Set::new(), done: Vec::new() };
+        let mut evolution = Vec::new();
+        for group in &groups.ordered()? {
+            evolution.extend(writer.group(group)?);
+        }
+        let copies = writer.copies;
+        Some((sorted, evolution, copies))
     }
 
     /// The regions of which a copy may be made here: nobody needs another one, or it is the same.

@@ -3,10 +3,11 @@
 use std::cell::RefCell;
 
 use super::super::Several;
-use super::{Clearing, Moved, parts};
+use super::sorted::denied;
+use super::{Asking, Clearing, Told, parts};
 use crate::model::StepId;
 use crate::program::build::{all, yes};
-use crate::program::passes::fold::excludes;
+use crate::program::passes::fold::{Known, excludes};
 use crate::program::passes::split::merged;
 use crate::program::passes::uses::replaced;
 use crate::program::{Expr, PlaceId, Statement, Value};
@@ -23,6 +24,7 @@ pub(super) struct Group {
 pub(super) struct Groups<'c, 's, 'p, 'm> {
     pub(super) several: &'s Several<'p, 'm>,
     pub(super) clearings: &'c [Clearing<'m>],
+    pub(super) asking: Asking,
 }
 
 impl Groups<'_, '_, '_, '_> {
@@ -104,7 +106,7 @@ impl Groups<'_, '_, '_, '_> {
 /// Writes one group after the other.
 pub(super) struct Writer<'c, 's, 'p, 'm> {
     pub(super) groups: Groups<'c, 's, 'p, 'm>,
-    pub(super) moves: &'c [Moved],
+    pub(super) told: &'c [Told],
     /// The regions of which a copy may be made of the state before, and those of which one is wanted.
     pub(super) free: &'c Set<usize>,
     pub(super) copies: Set<usize>,
@@ -150,12 +152,13 @@ impl<'m> Writer<'_, '_, '_, 'm> {
 
     /// Some transitions of one group, where a region is in a state: one after the other.
     fn those(&mut self, members: &[usize], known: Option<(usize, StepId)>) -> Option<Vec<Statement<'m>>> {
-        let mut statements = Vec::new();
+        let (mut statements, mut chain) = (Vec::new(), Vec::new());
         let before = self.done.len();
         for at in members {
             let clearing = &self.groups.clearings[*at];
             if clearing.is_kept {
-                statements.push(Statement::If(Expr::Place(clearing.truth), self.body(clearing), Vec::new()));
+                chain.clear();
+                statements.push(Statement::If(Expr::Place(clearing.truth), self.body(*at), Vec::new()));
                 self.done.push(*at);
                 continue;
             }
@@ -165,16 +168,29 @@ impl<'m> Writer<'_, '_, '_, 'm> {
                 }
                 _ => false,
             };
-            let asks: Vec<&Expr<'m>> = clearing.asks.iter().filter(|part| !is_known(part)).collect();
+            let (mut asks, mut denies) = (Vec::with_capacity(clearing.asks.len()), Set::new());
+            for part in clearing.asks.iter().filter(|part| !is_known(part)) {
+                match denied(part, self.groups.clearings, self.groups.asking) {
+                    Some(other) if members.contains(&other) => _ = denies.insert(other),
+                    Some(other) if self.groups.clearings[other].excludes(clearing) => {}
+                    Some(other) if known.is_some_and(|known| self.groups.clearings[other].is_elsewhere(known)) => {}
+                    Some(_) => return None,
+                    None => asks.push(part),
+                }
+            }
             let mut parts = Vec::with_capacity(asks.len());
             for part in asks {
-                parts.push(self.asked(part)?);
+                parts.push(self.asked(&self.in_state(part, known))?);
             }
-            let body = self.body(clearing);
+            let body = self.body(*at);
             match all(parts) {
-                Expr::Value(Value::Bool(true)) => statements.extend(body),
-                Expr::Value(_) => {}
-                condition => either(&mut statements, condition, body),
+                // Nothing else clears where this is denied.
+                Expr::Value(Value::Bool(true)) if denies.is_empty() => {
+                    chain.clear();
+                    statements.extend(body);
+                }
+                Expr::Value(Value::Bool(false)) => {}
+                condition => either(&mut statements, (&mut chain, &denies), (*at, condition, body))?,
             }
             self.done.push(*at);
         }
@@ -182,11 +198,20 @@ impl<'m> Writer<'_, '_, '_, 'm> {
         Some(statements)
     }
 
+    /// A condition where the state of a region before is known.
+    fn in_state(&self, part: &Expr<'m>, known: Option<(usize, StepId)>) -> Expr<'m> {
+        let Some((region, step)) = known else { return part.clone() };
+        let several = self.groups.several;
+        let value = |place: PlaceId| (several.region_of(place) == Some(region)).then_some(Value::Step(Some(step)));
+        Known { places: several.places, value: &value, copy: &|_| None, among: &|_| None, now: &|_| false }.fold(part)
+    }
+
     /// What a transition does that clears.
-    fn body(&self, clearing: &Clearing<'m>) -> Vec<Statement<'m>> {
-        let (mut body, mut told) = (Vec::new(), Set::new());
-        for Moved { truth, .. } in self.moves {
-            if told.insert(*truth) {
+    fn body(&self, at: usize) -> Vec<Statement<'m>> {
+        let clearing = &self.groups.clearings[at];
+        let (mut body, mut set) = (Vec::new(), Set::new());
+        for Told { truth, by, .. } in self.told {
+            if by.as_ref().is_none_or(|by| by.contains(&at)) && set.insert(*truth) {
                 body.push(Statement::Set(*truth, yes()));
             }
         }
@@ -254,12 +279,35 @@ impl<'m> Writer<'_, '_, '_, 'm> {
     }
 }
 
-/// One more condition: where those before it say the opposite, it is asked if they do not hold.
-fn either<'m>(statements: &mut Vec<Statement<'m>>, condition: Expr<'m>, body: Vec<Statement<'m>>) {
-    match statements.last_mut() {
-        Some(Statement::If(first, _, otherwise)) if apart(first, &condition) => either(otherwise, condition, body),
-        _ => statements.push(Statement::If(condition, body, Vec::new())),
+/// One more transition: where those of the `chain` before it, each asked where the one in front of it does not clear, say the opposite, or are denied, it is asked if they do
+/// not clear. None if it denies others than those.
+fn either<'m>(
+    statements: &mut Vec<Statement<'m>>,
+    (chain, denies): (&mut Vec<usize>, &Set<usize>),
+    (at, condition, body): (usize, Expr<'m>, Vec<Statement<'m>>),
+) -> Option<()> {
+    let (mut block, mut depth) = (statements, 0);
+    while let Some(first) = chain.get(depth) {
+        let Some(Statement::If(other, _, _)) = block.last() else { return None };
+        if !denies.contains(first) && !apart(other, &condition) {
+            break;
+        }
+        let Some(Statement::If(_, _, otherwise)) = block.last_mut() else { return None };
+        (block, depth) = (otherwise, depth + 1);
     }
+    if !denies.iter().all(|other| chain[..depth].contains(other)) {
+        return None;
+    }
+    chain.truncate(depth);
+    chain.push(at);
+    match condition {
+        Expr::Value(_) => {
+            chain.clear();
+            block.extend(body);
+        }
+        condition => block.push(Statement::If(condition, body, Vec::new())),
+    }
+    Some(())
 }
 
 /// Whether two conditions never hold together, by what each of them lists.

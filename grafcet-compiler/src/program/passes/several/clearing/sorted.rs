@@ -1,24 +1,26 @@
 //! The statements of a part: which transitions there are, what each of them changes, and what is left.
 
+use super::super::super::engine::Fact;
 use super::super::super::parts::gathers;
 use super::super::super::uses::{Effects, each_read, is_pure, leaves, mentions, writes_to};
 use super::super::{Env, Several};
-use super::{Clearing, Moved, parts};
+use super::told::Telling;
+use super::{Asking, Clearing, Told, parts};
 use crate::model::StepId;
 use crate::program::{Comparison, Expr, PlaceId, Statement, Type, Value};
-use crate::sorted::{Set, sort_by_key};
+use crate::sorted::{Map, Set, sort_by_key};
 
 /// The statements of a part, sorted.
 pub(super) struct Sorted<'m> {
     pub(super) before: Vec<Statement<'m>>,
     pub(super) clearings: Vec<Clearing<'m>>,
-    pub(super) moves: Vec<Moved>,
+    pub(super) told: Vec<Told>,
     pub(super) after: Vec<Statement<'m>>,
 }
 
 /// What a statement has to do with the evolution.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     /// It writes states.
     Writes,
     /// It sets a truth that writes of states ask for, and nothing else.
@@ -29,23 +31,33 @@ enum Kind {
 }
 
 /// A truth by which states are written: what it stands for.
-struct Guard {
+pub(super) struct Guard {
     truth: PlaceId,
-    /// Where it is set.
-    at: usize,
+    /// Where it is set, by one statement or more.
+    at: Vec<usize>,
     /// Others of which one holds then, if it stands for no condition of its own.
-    by: Option<Vec<PlaceId>>,
+    pub(super) by: Option<Vec<PlaceId>>,
     /// Where a step is active that it makes active, it may hold or not.
-    but: Option<StepId>,
+    pub(super) but: Option<StepId>,
+}
+
+/// A statement tells that a region moves.
+struct Moved {
+    truth: PlaceId,
+    region: usize,
+    /// The truth is false before.
+    begins: bool,
 }
 
 /// The regions and states that a statement writes.
 type Writes = Vec<(usize, Option<StepId>)>;
 
 impl<'m> Several<'_, 'm> {
-    pub(super) fn sorted(&self, list: &[Statement<'m>], env: &Env) -> Option<Sorted<'m>> {
+    pub(super) fn sorted(&self, list: &[Statement<'m>], env: &Env, asking: Asking) -> Option<Sorted<'m>> {
         let mut kinds = vec![Kind::Other; list.len()];
         let (effects, set_by) = self.effects(list);
+        let truths =
+            Truths { list, set_by: &set_by, is_off: &|place| env.facts[place.0] == Fact::Is(Value::Bool(false)) };
         let (mut guards, mut clearings): (Vec<Guard>, Vec<Clearing<'m>>) = (Vec::new(), Vec::new());
         for (at, statement) in list.iter().enumerate().filter(|(_, one)| self.decides(std::slice::from_ref(one))) {
             kinds[at] = Kind::Writes;
@@ -57,17 +69,19 @@ impl<'m> Several<'_, 'm> {
                     continue;
                 }
                 if !guards.iter().any(|guard| guard.truth == truth) {
-                    guards.push(self.guard(truth, list, &set_by)?);
+                    guards.push(self.guard(truth, &truths)?);
                 }
                 let guard = guards.iter().find(|guard| guard.truth == truth)?;
-                kinds[guard.at] = Kind::Asks;
+                for set in &guard.at {
+                    kinds[*set] = Kind::Asks;
+                }
                 let is_entered = |step: StepId| writes.iter().all(|(_, written)| *written == Some(step));
                 if guard.but.is_some_and(|step| !is_entered(step)) {
                     return None;
                 }
                 match &guard.by {
                     Some(by) => open.extend(by),
-                    None => self.add(&mut clearings, (truth, guard.at), (at, &writes), list)?,
+                    None => self.add(&mut clearings, (truth, guard.at.first().copied()), (at, &writes), list)?,
                 }
             }
         }
@@ -75,9 +89,26 @@ impl<'m> Several<'_, 'm> {
         if self.is_of_two_moments(&clearings) {
             return None;
         }
-        let moves = self.moves(list, &mut kinds, &clearings);
-        keep(list, &mut kinds, &mut clearings, |place| env.later.contains(&place) || self.read_after.contains(place));
-        (clearings.len() > 1).then(|| placed(list, &effects, &kinds, clearings, moves)).flatten()
+        if clearings.len() < 2 {
+            return None;
+        }
+        let mut told = self.moves(list, &mut kinds, &clearings);
+        let is_read_after = |place: PlaceId| env.later.contains(&place) || self.read_after.contains(place);
+        if asking == Asking::Beforehand {
+            keep(list, &mut kinds, &mut clearings, (&[], asking), &is_read_after);
+            return placed(list, &effects, &kinds, clearings, told);
+        }
+        let mut telling = Telling {
+            several: self,
+            clearings: &clearings,
+            truths: &truths,
+            is_read_after: &is_read_after,
+            asked_before: asked_before(list, &clearings, asking),
+            by: Map::new(),
+        };
+        told.append(&mut telling.told(&mut kinds));
+        keep(list, &mut kinds, &mut clearings, (&told, asking), &is_read_after);
+        placed(list, &effects, &kinds, clearings, told)
     }
 
     /// What each statement does, and by place which of them write it.
@@ -104,14 +135,19 @@ impl<'m> Several<'_, 'm> {
     fn add(
         &self,
         clearings: &mut Vec<Clearing<'m>>,
-        (truth, set): (PlaceId, usize),
+        (truth, set): (PlaceId, Option<usize>),
         (at, writes): (usize, &Writes),
         list: &[Statement<'m>],
     ) -> Option<()> {
         let index = match clearings.iter().position(|clearing| clearing.truth == truth) {
             Some(index) => index,
             None => {
-                let Statement::Set(_, value) = &list[set] else { return None };
+                let asked_before = Expr::Place(truth);
+                let value = match set.map(|set| &list[set]) {
+                    Some(Statement::Set(_, value)) => value,
+                    Some(_) => return None,
+                    None => &asked_before,
+                };
                 clearings.push(self.clearing((truth, set), value));
                 clearings.len() - 1
             }
@@ -124,7 +160,7 @@ impl<'m> Several<'_, 'm> {
         Some(())
     }
 
-    fn clearing(&self, (truth, at): (PlaceId, usize), value: &Expr<'m>) -> Clearing<'m> {
+    fn clearing(&self, (truth, set): (PlaceId, Option<usize>), value: &Expr<'m>) -> Clearing<'m> {
         let asks = parts(value).to_vec();
         let mut tests: Vec<(usize, Vec<StepId>)> = Vec::new();
         for part in &asks {
@@ -135,7 +171,7 @@ impl<'m> Several<'_, 'm> {
                 None => tests.push((region, steps.clone())),
             }
         }
-        Clearing { truth, at, asks, tests, writes: Vec::new(), is_kept: false }
+        Clearing { truth, at: set.unwrap_or(0), asks, tests, writes: Vec::new(), is_kept: set.is_none() }
     }
 
     /// By which truths a statement writes which states.
@@ -146,49 +182,55 @@ impl<'m> Several<'_, 'm> {
             let Statement::Set(place, Expr::Value(Value::Step(step))) = one else { return None };
             writes.push((self.states.iter().position(|state| state == place)?, *step));
         }
-        let truths = truths(condition)?;
+        let truths = one_of(condition)?;
         otherwise.is_empty().then_some((truths, writes))
     }
 
-    /// What a truth stands for that is set once, of what is so before anything has cleared.
-    fn guard(&self, truth: PlaceId, list: &[Statement<'m>], writers: &[Vec<usize>]) -> Option<Guard> {
+    /// What a truth stands for, of what is so before anything has cleared.
+    pub(super) fn guard(&self, truth: PlaceId, truths: &Truths<'_, 'm>) -> Option<Guard> {
+        let Truths { list, set_by, .. } = *truths;
         let info = &self.places[truth.0];
+        let is_set = |truth: &PlaceId| {
+            !self.places[truth.0].is_field && set_by[truth.0].iter().any(|at| matches!(list[*at], Statement::Set(..)))
+        };
+        if set_by[truth.0].is_empty() && !info.is_field && matches!(info.ty, Type::Bool) {
+            return Some(Guard { truth, at: Vec::new(), by: None, but: None });
+        }
         // To what has been put into it in front of these statements others may have added what is not looked at here.
-        let [at] = writers[truth.0][..] else { return None };
+        let [at] = set_by[truth.0][..] else {
+            let (by, alone) = truths.added(truth)?;
+            let is_known = alone && by.iter().all(is_set) && !info.is_field;
+            return is_known.then(|| Guard { truth, at: set_by[truth.0].clone(), by: Some(by), but: None });
+        };
         let Statement::Set(_, value) = &list[at] else { return None };
         if mentions(value, truth) || info.is_field || !matches!(info.ty, Type::Bool) || !is_pure(value) {
             return None;
         }
-        let is_written = |state: PlaceId| writers[state.0].first().is_some_and(|first| *first < at);
+        let is_written = |state: PlaceId| set_by[state.0].first().is_some_and(|first| *first < at);
         if self.states.iter().any(|state| is_written(*state) && mentions(value, *state)) {
             return None;
         }
-        let is_set = |truth: &PlaceId| self.is_set_in(*truth, list, writers);
-        if let Some(by) = truths(value).filter(|by| by.iter().all(is_set)) {
-            return Some(Guard { truth, at, by: Some(by), but: None });
+        if let Some(by) = one_of(value).filter(|by| by.iter().all(is_set)) {
+            return Some(Guard { truth, at: vec![at], by: Some(by), but: None });
         }
         // What enters a step may ask whether it stays active.
         let entering = match value {
             Expr::All(parts) => match &parts[..] {
-                [first, Expr::Not(stays)] => truths(first).zip(self.stays(stays)),
+                [first, Expr::Not(stays)] => one_of(first).zip(self.stays(stays)),
                 _ => None,
             },
             _ => None,
         };
         let entering = entering.filter(|(by, _)| by.iter().all(is_set));
         let (by, but) = entering.unzip();
-        Some(Guard { truth, at, by, but })
-    }
-
-    fn is_set_in(&self, truth: PlaceId, list: &[Statement<'m>], writers: &[Vec<usize>]) -> bool {
-        !self.places[truth.0].is_field && writers[truth.0].iter().any(|at| matches!(list[*at], Statement::Set(..)))
+        Some(Guard { truth, at: vec![at], by, but })
     }
 
     /// The step of which a condition says that it is active, and not left.
     fn stays(&self, condition: &Expr<'m>) -> Option<StepId> {
         let is = match condition {
             Expr::All(parts) => match &parts[..] {
-                [is, Expr::Not(left)] => truths(left).and(Some(is)),
+                [is, Expr::Not(left)] => one_of(left).and(Some(is)),
                 _ => None,
             },
             one => Some(one),
@@ -200,7 +242,7 @@ impl<'m> Several<'_, 'm> {
     }
 
     /// The truths that tell that regions move, if each transition moves one of those.
-    fn moves(&self, list: &[Statement<'m>], kinds: &mut [Kind], clearings: &[Clearing<'m>]) -> Vec<Moved> {
+    fn moves(&self, list: &[Statement<'m>], kinds: &mut [Kind], clearings: &[Clearing<'m>]) -> Vec<Told> {
         let mut all: Vec<(usize, Moved)> = Vec::new();
         for (at, statement) in list.iter().enumerate() {
             let moved = self.tells_move(statement);
@@ -228,10 +270,10 @@ impl<'m> Several<'_, 'm> {
             list.iter().position(|one| writes_to(one, truth)).is_none_or(|first| first >= at)
         };
         let mut moves = Vec::new();
-        for (at, Moved { truth, region, begins }) in &all {
+        for (at, Moved { truth, begins, .. }) in &all {
             if tells(*truth) && (!begins || is_first(*at, *truth)) {
                 kinds[*at] = Kind::Moves;
-                moves.push(Moved { truth: *truth, region: *region, begins: *begins });
+                moves.push(Told { truth: *truth, by: None, begins: *begins });
             }
         }
         moves
@@ -254,8 +296,43 @@ impl<'m> Several<'_, 'm> {
     }
 }
 
+/// A list, by place which of its statements write it, and what is false in front of it.
+pub(super) struct Truths<'t, 'm> {
+    pub(super) list: &'t [Statement<'m>],
+    pub(super) set_by: &'t [Vec<usize>],
+    pub(super) is_off: &'t dyn Fn(PlaceId) -> bool,
+}
+
+impl Truths<'_, '_> {
+    /// The others by which a truth holds that is put together by several statements, if somebody asks for it after them alone; and whether it holds by nothing else, as it was
+    /// false before.
+    pub(super) fn added(&self, truth: PlaceId) -> Option<(Vec<PlaceId>, bool)> {
+        let writers = &self.set_by[truth.0];
+        let (mut all, mut alone) = (Vec::new(), (self.is_off)(truth));
+        for at in writers {
+            let Statement::Set(_, value) = &self.list[*at] else { return None };
+            match value {
+                Expr::Any(parts) if gathers(&self.list[*at]).is_some() => {
+                    for part in &parts[1..] {
+                        all.extend(one_of(part)?);
+                    }
+                }
+                // All that has been put into it before is gone.
+                Expr::Value(Value::Bool(false)) if all.is_empty() => alone = true,
+                value if all.is_empty() && !mentions(value, truth) => {
+                    all.extend(one_of(value)?);
+                    alone = true;
+                }
+                _ => return None,
+            }
+        }
+        let asks = |at: &usize| !writers.contains(at) && Effects::of(&self.list[*at]).reads.contains(&truth);
+        (!all.is_empty() && !(0..*writers.last()?).any(|at| asks(&at))).then_some((all, alone))
+    }
+}
+
 /// The truths of which one holds where this holds, and the other way round.
-fn truths(condition: &Expr<'_>) -> Option<Vec<PlaceId>> {
+fn one_of(condition: &Expr<'_>) -> Option<Vec<PlaceId>> {
     let mut all = Vec::new();
     match condition {
         Expr::Place(place) => all.push(*place),
@@ -270,27 +347,49 @@ fn truths(condition: &Expr<'_>) -> Option<Vec<PlaceId>> {
     Some(all)
 }
 
-/// What others than the writes of states ask for is set for them, before anything clears.
+/// What the conditions of transitions ask for as it was before anything has cleared, also by way of truths that are set for them.
+fn asked_before(list: &[Statement<'_>], clearings: &[Clearing<'_>], asking: Asking) -> Set<PlaceId> {
+    let mut wanted: Set<PlaceId> = Set::new();
+    for clearing in clearings {
+        for asked in clearing.asks.iter().filter(|asked| denied(asked, clearings, asking).is_none()) {
+            each_read(asked, &mut |place| _ = wanted.insert(place));
+        }
+    }
+    for statement in list.iter().rev() {
+        let Statement::Set(place, value) = statement else { continue };
+        if wanted.contains(place) {
+            each_read(value, &mut |read| _ = wanted.insert(read));
+        }
+    }
+    wanted
+}
+
+/// The transition of which a condition says that it does not clear, where that is asked behind its own.
+pub(super) fn denied(condition: &Expr<'_>, clearings: &[Clearing<'_>], asking: Asking) -> Option<usize> {
+    let Expr::Not(inner) = condition else { return None };
+    let Expr::Place(truth) = **inner else { return None };
+    clearings.iter().position(|one| one.truth == truth && !one.is_kept).filter(|_| asking == Asking::Denying)
+}
+
+/// What others than the writes of states ask for is set for them before anything clears, unless transitions tell it.
 fn keep(
     list: &[Statement<'_>],
     kinds: &mut [Kind],
     clearings: &mut [Clearing<'_>],
-    is_read_behind: impl Fn(PlaceId) -> bool,
+    (told, asking): (&[Told], Asking),
+    is_read_after: &dyn Fn(PlaceId) -> bool,
 ) {
     let mut wanted: Set<PlaceId> = Set::new();
     let of = |at: usize| Effects::of(&list[at]).reads;
     for at in (0..list.len()).filter(|at| kinds[*at] == Kind::Other) {
         wanted.extend(of(at).iter().copied());
     }
-    for clearing in &*clearings {
-        for asked in &clearing.asks {
-            each_read(asked, &mut |place| _ = wanted.insert(place));
-        }
-    }
+    wanted.extend(asked_before(list, clearings, asking));
+    let is_told = |place: PlaceId| told.iter().any(|one| one.truth == place);
     // What is set for others may ask for what is set in front of it.
     for at in (0..list.len()).rev() {
         let Statement::Set(place, _) = &list[at] else { continue };
-        if kinds[at] == Kind::Asks && (wanted.contains(place) || is_read_behind(*place)) {
+        if kinds[at] == Kind::Asks && !is_told(*place) && (wanted.contains(place) || is_read_after(*place)) {
             kinds[at] = Kind::Other;
             wanted.extend(of(at).iter().copied());
             for clearing in clearings.iter_mut().filter(|clearing| clearing.truth == *place) {
@@ -306,7 +405,7 @@ fn placed<'m>(
     effects: &[Effects],
     kinds: &[Kind],
     clearings: Vec<Clearing<'m>>,
-    moves: Vec<Moved>,
+    told: Vec<Told>,
 ) -> Option<Sorted<'m>> {
     let is_evolution = |at: usize| matches!(kinds[at], Kind::Writes | Kind::Asks);
     let swaps = swaps(effects, is_evolution);
@@ -314,7 +413,7 @@ fn placed<'m>(
     for one in clearings.iter().filter(|one| one.is_kept) {
         kept.insert(one.truth);
     }
-    let mut sorted = Sorted { before: Vec::new(), clearings, moves, after: Vec::new() };
+    let mut sorted = Sorted { before: Vec::new(), clearings, told, after: Vec::new() };
     let (mut in_front, mut behind) = (Effects::default(), Effects::default());
     for (at, statement) in list.iter().enumerate() {
         if is_evolution(at) {
@@ -335,9 +434,9 @@ fn placed<'m>(
     }
     // What is left of them must not take back what the transitions tell.
     let adds = |one: &Statement<'m>, truth: PlaceId| !writes_to(one, truth) || gathers(one) == Some(truth);
-    let is_told = |moved: &Moved| sorted.after.iter().all(|one| adds(one, moved.truth));
+    let is_left = |told: &Told| sorted.after.iter().all(|one| adds(one, told.truth));
     let stays = !sorted.before.iter().chain(&sorted.after).any(leaves);
-    (stays && sorted.moves.iter().all(is_told)).then_some(sorted)
+    (stays && sorted.told.iter().all(is_left)).then_some(sorted)
 }
 
 /// Which statements may change places with all of the evolution that stands after them.
