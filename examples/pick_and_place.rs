@@ -1,4 +1,4 @@
-//! A controller and the plants that stand behind it in the same call: what is proved with them runs here as a closed loop, with faults.
+//! A controller and the plants that stand after it in the same call: what is proved with them runs here as a closed loop, with faults.
 //! `cargo run --example pick_and_place -- --help` tells what else it can do.
 
 #[path = "charts/pick_and_place.rs"]
@@ -25,7 +25,7 @@ use shared::{Example, Timeline};
 /// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
     name: "pick_and_place",
-    about: "An arm between a belt and a box: the machine is written behind its controller,\nfor proofs and for this closed loop.",
+    about: "An arm between a belt and a box: the machine is written after its controller,\nfor proofs and for this closed loop.",
     charts: &[&PickAndPlace::CHART],
     show,
     play: pick_and_place::play,

@@ -70,7 +70,7 @@ macro_rules! leaves_nothing {
 }
 
 #[test]
-fn a30_what_lies_behind_the_bound_leaves_nothing_behind() {
+fn a30_what_comes_after_the_bound_leaves_nothing_behind() {
     leaves_nothing!(Timed, TimedInputs, TimedStep);
     leaves_nothing!(Stored, StoredInputs, StoredStep);
     leaves_nothing!(Many, ManyInputs, ManyStep);

@@ -161,7 +161,7 @@ grafcet! {
 
 /// What the first search does not see of an input's edge (A26), no later one sees.
 #[test]
-fn behind_the_first_cycle_edges_of_inputs_ask_for_nothing() {
+fn after_the_first_cycle_edges_of_inputs_ask_for_nothing() {
     for go in [false, true] {
         let mut chart = OfInputs::new();
         chart.cycle(&OfInputsInputs { go, ..Default::default() }, 7);

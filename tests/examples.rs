@@ -357,7 +357,7 @@ fn both_ovens_heat_up_hold_and_switch_off() {
 }
 
 #[test]
-fn a_mistake_in_a_script_is_shown_at_its_line_behind_the_cycles_before() {
+fn a_mistake_in_a_script_is_shown_at_its_line_after_the_cycles_before() {
     let script = std::env::temp_dir().join(format!("grafcet-examples-{}.script", std::process::id()));
     for (mistake, error) in [
         ("starting", "line 3: there is no input `starting`; the inputs are start, full, empty, temperature, wool"),

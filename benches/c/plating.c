@@ -37,7 +37,7 @@ static inline bool next(chart_t *c, const inputs_t *i, uint32_t now) {
     uint32_t time = now - c->since;
     uint8_t step = c->step;
     switch (step) {
-    // What goes on to the step behind it.
+    // What goes on to the step after it.
     case GRIP: if (time < 500) return false; step++; break;
     case DRIP_DEGREASE: case RINSE: case CLEAN: case DRIP_CLEAN: if (time < 1000) return false; step++; break;
     case ZINC: if (time < 2000) return false; step++; break;

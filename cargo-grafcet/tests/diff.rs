@@ -360,7 +360,7 @@ fn what_is_gone_is_drawn_where_it_was() {
     for marked in ["│ Two ", "− V ", "− Y ", "║ − Two {V} ║", "│ + r ", "any", "− stop"] {
         assert!(done.out.contains(marked), "{marked}\n{}", done.out);
     }
-    // The order that is gone stands behind the action that is new.
+    // The order that is gone stands after the action that is new.
     let back = diff(new, old, &["--draw"]);
     for marked in ["+ V ", "+ Y ", "+ Two {V}", "− r ", "+ stop"] {
         assert!(back.out.contains(marked), "{marked}\n{}", back.out);

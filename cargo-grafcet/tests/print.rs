@@ -29,7 +29,7 @@ fn long() -> String {
 #[derive(Default)]
 struct Words {
     pages: Vec<Vec<String>>,
-    /// Where the last letter stands, if a word goes on behind it.
+    /// Where the last letter stands, if a word goes on after it.
     last: Option<(f64, f64)>,
 }
 

@@ -86,7 +86,7 @@ fn what_is_assumed_never_comes() {
 
 #[test]
 fn pairs() {
-    // Two ways in and two ways out: four pairs within `B`, and two ways in behind each way out.
+    // Two ways in and two ways out: four pairs within `B`, and two ways in after each way out.
     let chart =
         "sfc C { input a, b: bool; initial step A; step B; A -[a]-> B -[a && b]-> A; A -[b]-> B -[!a && !b]-> A; }";
     let (single, open) = told(chart, &[]);
@@ -100,7 +100,7 @@ fn pairs() {
     // Eight pairs are eight ways in and out at least, of which four are needed anyhow.
     let (all, _) = told(chart, &["--pairs"]);
     assert!(all >= 9 && all > single, "{all} {single}");
-    // Three ways out behind each way in: one of them needs a way in that shows nothing new by itself.
+    // Three ways out after each way in: one of them needs a way in that shows nothing new by itself.
     let chart = "sfc C { input a, b, c: bool; initial step A; step B; step W; A -[a]-> B; A -[b]-> B; B -[a]-> W; B -[b]-> W; B -[c]-> W; W -[true]-> A; }";
     assert_eq!(told(chart, &["--pairs"]).1.len(), 0);
 }

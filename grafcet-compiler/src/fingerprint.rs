@@ -68,7 +68,7 @@ pub(crate) fn without(tokens: TokenStream, path: &[TokenTree]) -> TokenStream {
     let same = |(one, other): (&TokenTree, &TokenTree)| one.to_string() == other.to_string();
     let mut rest = &tokens.into_iter().list()[..];
     let mut kept = TokenStream::new();
-    while let Some((first, behind)) = rest.split_first() {
+    while let Some((first, after)) = rest.split_first() {
         if !path.is_empty() && rest.len() >= path.len() && rest.iter().zip(path).all(same) {
             rest = &rest[path.len()..];
             continue;
@@ -77,7 +77,7 @@ pub(crate) fn without(tokens: TokenStream, path: &[TokenTree]) -> TokenStream {
             TokenTree::Group(group) => Group::new(group.delimiter(), without(group.stream(), path)).into(),
             other => other.clone(),
         }]);
-        rest = behind;
+        rest = after;
     }
     kept
 }

@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn one_behind_the_other() {
+    fn one_after_the_other() {
         assert_eq!([1, 2].into_iter().and([3]).and([]).and(Some(4)).list(), [1, 2, 3, 4]);
         let none: [u8; 0] = [];
         assert_eq!(none.into_iter().and(none).next(), None);
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn behind_what_is_there() {
+    fn after_what_is_there() {
         let mut all = vec![1];
         all.push_all([2, 3].into_iter().filter(|number| number % 2 == 1));
         all.push_all(vec![4]);

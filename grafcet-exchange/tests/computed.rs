@@ -122,7 +122,7 @@ fn the_time_of_a_step_that_is_left() {
     }
 }
 
-/// A transition to its own step does nothing in a CASE, but those behind it wait for it.
+/// A transition to its own step does nothing in a CASE, but those after it wait for it.
 #[test]
 fn a_loop_comes_first() {
     let chart = "sfc Loop { #![allow(grafcet::overlapping_branches)] input a, b: bool; output q: bool; initial step A; step B { q; }

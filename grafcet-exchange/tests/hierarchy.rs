@@ -208,7 +208,7 @@ fn what_the_page_shows() {
     assert!(text.contains(shown), "{text}");
 }
 
-/// A variable that continuous actions assert follows the situation: transitions ask for it on that before the scan, actions on that behind it.
+/// A variable that continuous actions assert follows the situation: transitions ask for it on that before the scan, actions on that after it.
 #[test]
 fn variables_that_follow_the_situation() {
     let chart = "grafcet Doors { input a, b, c: bool; output lit, both: bool; output seen: u8; var open, free: bool;
@@ -217,7 +217,7 @@ fn variables_that_follow_the_situation() {
     let names = "SR_Open SR_Run SR_Stop open free lit both seen";
     let lines = [
         ("", "0 0 0 0 0 0 0 0"),
-        // `open` is true behind this scan; `c` asks for it in the next one.
+        // `open` is true after this scan; `c` asks for it in the next one.
         ("a c", "1 0 0 1 0 0 0 0"),
         ("a c", "1 1 0 1 0 0 0 0"),
         ("c", "0 1 0 0 1 0 0 0"),
@@ -240,7 +240,7 @@ fn variables_that_follow_the_situation() {
     );
 }
 
-/// In a `grafcet` calls at an instant are calls of their own, in the order of the source, those on clearing behind them, and what is called as long as a
+/// In a `grafcet` calls at an instant are calls of their own, in the order of the source, those on clearing after them, and what is called as long as a
 /// step is active comes last.
 #[test]
 fn calls_at_instants() {

@@ -8,7 +8,7 @@ fn imported(text: &str) -> Imported {
     import(text, "there.st").unwrap_or_else(|wrong| panic!("{wrong:?}"))
 }
 
-/// What stands behind `use`, each line without its indent.
+/// What stands after `use`, each line without its indent.
 fn source(done: &Imported) -> Vec<&str> {
     let begin = done.rust.find("grafcet! {").expect("a call");
     done.rust[begin..].lines().map(str::trim).filter(|line| !line.is_empty()).collect()

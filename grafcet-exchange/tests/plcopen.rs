@@ -50,7 +50,7 @@ fn the_file_is_one_of_the_schema() {
     assert_eq!((pou.attribute("name"), pou.attribute("pouType")), (Some("Cell"), Some("program")));
     assert_eq!(kinds(pou), ["interface", "actions", "body"]);
     assert_eq!(kinds(elements(&document, "interface")[0]), ["inputVars", "outputVars", "localVars"]);
-    // What comes behind what.
+    // What comes after what.
     let order = [
         "position",
         "connectionPointIn",

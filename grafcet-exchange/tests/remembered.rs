@@ -37,7 +37,7 @@ const FLIP_FLOPS: (Form, Option<Order>) = (Form::FlipFlops, None);
 const ON: &[(&str, bool)] = &[("a", true)];
 const OFF: &[(&str, bool)] = &[("a", false)];
 
-/// An action sees the edge in the scan that enters its step, a transition in the one behind it.
+/// An action sees the edge in the scan that enters its step, a transition in the one after it.
 #[test]
 fn edges_of_steps_in_an_sfc() {
     let chart = "sfc C { input a: bool; output lit: bool; initial step A; step B { N lit if rising(B.X); } step E { N lit if falling(B.X); }
@@ -56,7 +56,7 @@ fn edges_of_steps_in_an_sfc() {
     shows(chart, FLIP_FLOPS, &names, rows);
 }
 
-/// A scan is an evolution. Initial steps have no edge in the first one; later the one behind that which enters a step sees it.
+/// A scan is an evolution. Initial steps have no edge in the first one; later the one after that which enters a step sees it.
 #[test]
 fn edges_of_steps_in_a_grafcet() {
     let chart = "grafcet C { input a: bool; var n: u8 = 0; initial step A; step B { P1 n = (n + 1) % 9; } step E;
@@ -183,7 +183,7 @@ fn times_of_macro_steps() {
 fn blocks_beside_others() {
     let chart = "grafcet C { input a: bool; output m: u8; var n: u8 = 1; initial step A { P0 n = 7; }
         step B { P1 { m = n; if n < 9 { n = n + 1; } m = m + n; } } A -[a && n < 9]-> B; B -[!a && n < 9]-> A; }";
-    // The block has m = 1, n = 2, m = 3; it stands behind what leaves A.
+    // The block has m = 1, n = 2, m = 3; it stands after what leaves A.
     let rows: &[Row<'_>] = &[(0, OFF, &[0, 1]), (10, ON, &[3, 2]), (20, OFF, &[3, 2]), (30, ON, &[5, 3])];
     shows(chart, FLIP_FLOPS, &["m", "n"], rows);
 }

@@ -5,7 +5,7 @@ mod common;
 use common::model;
 use grafcet_exchange::sfc::textual;
 
-/// The program without its header, its lines without what is said behind them.
+/// The program without its header, its lines without what is said after them.
 fn program(chart: &str) -> Vec<String> {
     let done = textual(&model(chart)).expect("a translation");
     let lines = done.text.lines().map(|line| line.split("(*").next().unwrap_or_default().trim());
@@ -125,7 +125,7 @@ fn actions_of_all_kinds() {
     );
 }
 
-/// Branches have priorities in their order; edges compare with what that action remembers, behind the transitions.
+/// Branches have priorities in their order; edges compare with what that action remembers, after the transitions.
 #[test]
 fn branches_times_and_edges() {
     let chart = "sfc C {
@@ -179,7 +179,7 @@ fn branches_times_and_edges() {
 }
 
 /// Where a step follows another that drives the same boolean, both do it by the action that runs in each scan: of two steps with a boolean of one name Beremiz
-/// lets the one decide that ends, if it stands behind.
+/// lets the one decide that ends, if it stands after the other.
 #[test]
 fn what_goes_on_from_step_to_step() {
     let chart = "sfc C { input a: bool; output q, p: bool; initial step S1; step S2 { q; p; } step S3 { q; } S1 -[a]-> S2 -[!a]-> S3 -[a]-> S1; }";

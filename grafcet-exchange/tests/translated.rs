@@ -89,7 +89,7 @@ fn loops() {
         of("FOR i := n TO 1 BY -1 DO FOR j := i TO 9 BY 3 DO m := i * j; END_FOR; END_FOR"),
         "P1 { for i in (1..=n).rev() { for j in (i..=9).step_by(3) { m = i * j; } } }"
     );
-    // What it counts is asked for behind it.
+    // What it counts is asked for after it.
     assert_eq!(
         of("FOR i := 9 TO 1 BY -2 DO q := a; END_FOR; m := i;"),
         "P1 { i = 9; while i >= 1 { q = a; i -= 2; } m = i; }"

@@ -163,6 +163,6 @@ fn find(tokens: TokenStream, name: &str) -> Option<TokenStream> {
 /// `pub sfc Motor { … }`: the name stands after the first `sfc` or `grafcet`.
 fn is_named(tokens: TokenStream, name: &str) -> bool {
     let keyword = |tree: &TokenTree| matches!(tree, TokenTree::Ident(ident) if ident == "sfc" || ident == "grafcet");
-    let mut behind = tokens.into_iter().skip_while(|tree| !keyword(tree)).skip(1);
-    matches!(behind.next(), Some(TokenTree::Ident(ident)) if ident == name)
+    let mut after = tokens.into_iter().skip_while(|tree| !keyword(tree)).skip(1);
+    matches!(after.next(), Some(TokenTree::Ident(ident)) if ident == name)
 }

@@ -8,7 +8,7 @@ import { Marked, Renderer } from "marked";
 import { highlighted, looks } from "./src/language.js";
 import { packed } from "./src/share.js";
 
-// In which order they are read. What is not named here, comes behind.
+// In which order they are read. What is not named here comes after them.
 const ORDER = ["README.md", ...["first-chart", "language", "semantics", "rules", "names", "cookbook", "porting", "drawing", "playground", "tool",
   "record", "replay", "proof", "reliability", "cost"].map(name => `docs/${name}.md`)];
 const PICTURES = "docs/pictures/";

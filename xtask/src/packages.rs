@@ -198,8 +198,8 @@ impl Package {
                     folders.push(path);
                 } else if path.extension().is_some_and(|extension| extension == "rs") {
                     let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-                    let behind = text.split("feature = \"").skip(1);
-                    names.extend(behind.filter_map(|behind| behind.split('"').next()).map(str::to_owned));
+                    let after = text.split("feature = \"").skip(1);
+                    names.extend(after.filter_map(|after| after.split('"').next()).map(str::to_owned));
                 }
             }
         }

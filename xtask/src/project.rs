@@ -62,7 +62,7 @@ impl Program {
         Ok(self.built())
     }
 
-    /// Builds programs as `cargo test --workspace` does it, which leaves nothing to build behind it: for one package alone, cargo would
+    /// Builds programs as `cargo test --workspace` does it, which leaves nothing to build after it: for one package alone, cargo would
     /// build the compiler of charts and all else anew, with the features that this package asks for.
     ///
     /// # Errors

@@ -175,8 +175,8 @@ impl Changes {
         for (place, one) in new.transitions.iter().enumerate() {
             if pairs.iter().all(|(_, after)| *after != place) {
                 let text = format!("{} on `{}`", one.label(), one.condition.shown);
-                let behind = new.transitions[place + 1..].iter().find(|other| share(one, other) && !new.is_grafcet);
-                let before = behind.map(|other| format!(", with priority over {}", other.label())).unwrap_or_default();
+                let lower = new.transitions[place + 1..].iter().find(|other| share(one, other) && !new.is_grafcet);
+                let before = lower.map(|other| format!(", with priority over {}", other.label())).unwrap_or_default();
                 let sentence = format!("there is a new transition {text}{before}");
                 self.add("transition", sentence, None, Some(&text)).steps.clone_from(&one.from);
             }

@@ -67,7 +67,7 @@ impl Site {
     }
 
     /// What stands after the token in a path.
-    fn behind_token<'p>(&self, path: &'p str) -> Option<&'p str> {
+    fn after_token<'p>(&self, path: &'p str) -> Option<&'p str> {
         let (token, rest) = path.strip_prefix('/')?.split_once('/')?;
         // How long it takes says nothing of where they differ.
         constant_time_eq(token.as_bytes(), self.token.as_bytes()).then_some(rest)
@@ -122,7 +122,7 @@ fn answered(
     if is_same == Some(false) {
         return refused(StatusCode::FORBIDDEN, "this server answers its own page alone\n");
     }
-    let Some(path) = site.behind_token(uri.path()) else {
+    let Some(path) = site.after_token(uri.path()) else {
         return refused(StatusCode::NOT_FOUND, "there is nothing here\n");
     };
     if path == "socket" {

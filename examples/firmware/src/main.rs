@@ -1,4 +1,4 @@
-//! The example charts on a Cortex-M, with the host's console behind semihosting: prints the plain lines of all scripts
+//! The example charts on a Cortex-M, with the host's console through semihosting: prints the plain lines of all scripts
 //! and ends QEMU, with a failure where a script or the console fails or the program panics.
 #![no_std]
 #![no_main]

@@ -3,7 +3,7 @@
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote_spanned};
 
-use super::rust::{behind, plain_name, without_parens};
+use super::rust::{plain_name, with_bindings, without_parens};
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{Binary, Expr, Name, Read, StepId, Tree, Ty, Unary, placeholder};
@@ -36,7 +36,7 @@ impl Cx<'_> {
             };
             Some(quote!(#unused let #name = #value;))
         });
-        behind(&bindings.tokens(), tokens)
+        with_bindings(&bindings.tokens(), tokens)
     }
 
     /// Whether an expression is made of boolean inputs, `!`, `&&` and `||` alone.

@@ -25,7 +25,7 @@ pub(super) fn constant(expr: &Expr, p: &TokenStream) -> TokenStream {
 }
 
 /// An expression after the bindings of what it reads.
-pub(super) fn behind(bindings: &TokenStream, tokens: &syn::Expr) -> TokenStream {
+pub(super) fn with_bindings(bindings: &TokenStream, tokens: &syn::Expr) -> TokenStream {
     if bindings.is_empty() && is_term(tokens) && !shows_struct(tokens) {
         return tokens.to_token_stream();
     }

@@ -29,20 +29,15 @@ pub(crate) fn is_qualifier(word: &str) -> bool {
 /// Whether a line certainly begins here, also where no line breaks are known.
 pub(super) fn begins(input: &Input) -> bool {
     let Some(word) = input.word() else { return false };
-    let behind = input.next();
-    (is_qualifier(word) || word == "force") && (behind.at_name() || behind.literal().is_some())
+    let next = input.next();
+    (is_qualifier(word) || word == "force") && (next.at_name() || next.literal().is_some())
 }
 
 /// Whether a line can begin here, at the beginning of a line of text.
 pub(super) fn could_begin(input: &Input) -> bool {
     let Some(word) = input.word().filter(|word| !words::is_rust(word)) else { return false };
-    let behind = input.next();
-    is_qualifier(word)
-        || behind.at(";")
-        || behind.at_assign()
-        || behind.at_word("if")
-        || word == "on"
-        || word == "force"
+    let next = input.next();
+    is_qualifier(word) || next.at(";") || next.at_assign() || next.at_word("if") || word == "on" || word == "force"
 }
 
 /// One line of a step's body that is no forcing order.
@@ -54,7 +49,7 @@ pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Association> {
         None => (take_qualifier(input)?, None),
     };
     let time = time(input, qualifier, sink)?;
-    let target = behind_qualifier(input, &start, qualifier)?;
+    let target = after_qualifier(input, &start, qualifier)?;
     let mut condition = None;
     if input.eat_word("if") {
         match condition::parse(input, "the condition of the action") {
@@ -87,7 +82,7 @@ fn misplaced(input: &Input) -> Result<()> {
         }
         return Err(input.error(format!("expected what the step does, such as `N q;`, found {}", input.found())));
     };
-    let behind = input.next();
+    let next = input.next();
     if word == "if" {
         return Err(input.error("the condition stands after the action: `q if condition;`"));
     }
@@ -100,7 +95,7 @@ fn misplaced(input: &Input) -> Result<()> {
             },
         ));
     }
-    if behind.at("->") || behind.at("-") && behind.next().at_group(Delimiter::Bracket) {
+    if next.at("->") || next.at("-") && next.next().at_group(Delimiter::Bracket) {
         return Err(input.error("transitions stand after the steps, not in them"));
     }
     Ok(())
@@ -108,9 +103,9 @@ fn misplaced(input: &Input) -> Result<()> {
 
 /// `on rising(a)`, unless `on` is the name of an output.
 fn on(input: &mut Input) -> Result<Option<(Span, syn::Expr)>> {
-    let behind = input.next();
-    let called = behind.at_group(Delimiter::Parenthesis) && ends(&behind.next());
-    if !input.at_word("on") || ends(&behind) || behind.at_assign() || called {
+    let next = input.next();
+    let called = next.at_group(Delimiter::Parenthesis) && ends(&next.next());
+    if !input.at_word("on") || ends(&next) || next.at_assign() || called {
         return Ok(None);
     }
     input.bump();
@@ -134,20 +129,20 @@ fn ends(input: &Input) -> bool {
 
 fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
     let Some(word) = input.word() else { return Ok(None) };
-    let behind = input.next();
+    let next = input.next();
     let Some(qualifier) = Qualifier::of_letters(word) else {
         return unknown(input, word).map(|()| None);
     };
-    if behind.at(":") && !behind.at(":=") {
+    if next.at(":") && !next.at(":=") {
         let message = format!("a qualifier stands in front of what it acts on, without `:`: `{word} q;`");
-        return Err(behind.error(message));
+        return Err(next.error(message));
     }
-    if behind.at_assign() || behind.at_group(Delimiter::Parenthesis) && ends(&behind.next()) {
+    if next.at_assign() || next.at_group(Delimiter::Parenthesis) && ends(&next.next()) {
         return Ok(None);
     }
     let span = input.span();
     input.bump();
-    let sign = |sign| behind.behind(sign).filter(|_| word == "P" && !behind.at("+=") && !behind.at("-="));
+    let sign = |sign| next.after(sign).filter(|_| word == "P" && !next.at("+=") && !next.at("-="));
     let qualifier = if let Some(rest) = sign("+") {
         *input = rest;
         Qualifier::P1
@@ -174,34 +169,34 @@ fn moment(word: &str) -> Option<&'static str> {
 
 /// Refuses `X q`, `s q` and `X 5s q`, where something stands like a qualifier and is none.
 fn unknown(input: &mut Input, word: &str) -> Result<()> {
-    let behind = input.next();
-    let braces = behind.at_group(Delimiter::Brace);
-    let time = behind.next();
-    let behind_it = behind.word().is_some_and(is_qualifier)
-        && !behind.on_new_line()
+    let next = input.next();
+    let braces = next.at_group(Delimiter::Brace);
+    let time = next.next();
+    let qualifier_follows = next.word().is_some_and(is_qualifier)
+        && !next.on_new_line()
         && (ends(&time) || time.literal().is_some() && ends(&time.next()));
-    let stands_like_one = behind.at_name() || behind.literal().is_some() || braces;
-    if let (Some(message), true) = (moment(word), behind.at(":") && !behind.at(":=")) {
+    let stands_like_one = next.at_name() || next.literal().is_some() || braces;
+    if let (Some(message), true) = (moment(word), next.at(":") && !next.at(":=")) {
         return Err(input.error(message));
     }
-    if word == "F" && behind.at("/") {
-        let (target, order) = (behind.next(), behind.next().next());
+    if word == "F" && next.at("/") {
+        let (target, order) = (next.next(), next.next().next());
         let message = match target.word() {
             Some(target) if order.at_group(Delimiter::Brace) => {
                 format!("a forcing order is written `force {target} {{…}};`")
             }
             _ => "a forcing order is written `force G {INIT};`".to_owned(),
         };
-        let mark = Mark { start: input.span(), end: behind.span() };
+        let mark = Mark { start: input.span(), end: next.span() };
         return Err(Error::new(mark, message));
     }
     // `q when c`: the end of the line says what is wrong.
-    let conditional = behind.word().is_some_and(|word| recover::is_conditional(&word.to_lowercase()));
-    if !stands_like_one || conditional || behind.on_new_line() || begins(&behind) && !behind_it {
+    let conditional = next.word().is_some_and(|word| recover::is_conditional(&word.to_lowercase()));
+    if !stands_like_one || conditional || next.on_new_line() || begins(&next) && !qualifier_follows {
         return Ok(());
     }
-    if behind_it {
-        let qualifier = behind.word().unwrap_or_default();
+    if qualifier_follows {
+        let qualifier = next.word().unwrap_or_default();
         let end = if ends(&time) { time } else { time.next() };
         let time = time.literal().map_or_else(String::new, |time| format!(" {time}"));
         let message = format!("the qualifier stands in front: `{qualifier}{time} {word};`");
@@ -220,7 +215,7 @@ fn unknown(input: &mut Input, word: &str) -> Result<()> {
     } else if let Some(message) = moment(word) {
         message.to_owned()
     } else if let Some((_, letter)) = SPOKEN.iter().find(|(spoken, _)| *spoken == word.to_lowercase()) {
-        format!("`{word}` is the qualifier `{letter}`: `{letter} {};`", behind.word().unwrap_or("q"))
+        format!("`{word}` is the qualifier `{letter}`: `{letter} {};`", next.word().unwrap_or("q"))
     } else {
         format!("`{word}` is no qualifier; {ALL}")
     }))
@@ -248,9 +243,9 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
         return Ok(None);
     }
     // `L soak q`: a name is the time where a target follows it, on whatever line, and not the next association.
-    let behind = input.next();
-    let another = behind.on_new_line() && begins(&behind);
-    let target_follows = behind.at_group(Delimiter::Brace) || behind.at_name() && !another;
+    let next = input.next();
+    let another = next.on_new_line() && begins(&next);
+    let target_follows = next.at_group(Delimiter::Brace) || next.at_name() && !another;
     if input.word().is_some() && target_follows {
         return Ok(input.eat_ident().map(TimeArg::Name));
     }
@@ -259,8 +254,8 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
             "the time of `{word}` is a literal such as `5s` or the name of a `param` or `var` of type `time`"
         )));
     }
-    if let (Some(target), Some(time)) = (input.word(), behind.literal()) {
-        let mark = Mark { start: input.span(), end: behind.span() };
+    if let (Some(target), Some(time)) = (input.word(), next.literal()) {
+        let mark = Mark { start: input.span(), end: next.span() };
         return Err(Error::new(
             mark,
             format!("the time of `{word}` stands in front of its target: `{word} {time} {target};`"),
@@ -275,14 +270,14 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
     Ok(None)
 }
 
-fn behind_qualifier(input: &mut Input, start: &Input, qualifier: Option<(Qualifier, Span)>) -> Result<Target> {
+fn after_qualifier(input: &mut Input, start: &Input, qualifier: Option<(Qualifier, Span)>) -> Result<Target> {
     if ends(input) {
         let mark = Mark { start: start.span(), end: input.last() };
         return Err(Error::new(mark, "this acts on nothing; name an output, a variable or an action after it"));
     }
     if let (Some((_, span)), Some(word)) = (qualifier, input.word()) {
-        let behind = input.next();
-        let another = behind.at_name() && !behind.on_new_line() && !begins(&behind);
+        let next = input.next();
+        let another = next.at_name() && !next.on_new_line() && !begins(&next);
         if another && is_qualifier(word) {
             let mark = Mark { start: span, end: input.span() };
             return Err(Error::new(mark, "an association has one qualifier; write a line for each"));

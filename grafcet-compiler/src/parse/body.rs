@@ -120,42 +120,42 @@ fn keyword(word: &str, input: &Input, sink: &mut Sink) -> Result<&'static str> {
     if let Some(item) = words::ITEMS.iter().find(|item| word == **item) {
         return Ok(item);
     }
-    let behind = input.next();
+    let next = input.next();
     foreign::of_rust(input, word)?;
     let lower = word.to_lowercase();
     if lower == "transition" || lower == "transitions" {
         return Err(input.error("a transition is drawn between its steps: `A -[condition]-> B;`"));
     }
-    if word == "any" && !behind.at(":") {
+    if word == "any" && !next.at(":") {
         return Err(input.error("what `any` leaves out stands after `except`: `any except (A, B) -[x]-> C;`"));
     }
     let claims = matches!(words::meant(word), Some("never" | "always"));
-    let listed = behind.at_group(Delimiter::Brace) || decl::lists_behind_colon(&behind);
+    let listed = next.at_group(Delimiter::Brace) || decl::lists_after_colon(&next);
     if listed && matches!(words::meant(word), Some("input" | "output" | "var" | "param"))
-        || claims && (behind.at("!") || behind.at_group(Delimiter::Parenthesis))
-        || behind.word().is_some()
-        || behind.literal().is_some() && !super::association::is_qualifier(word)
+        || claims && (next.at("!") || next.at_group(Delimiter::Parenthesis))
+        || next.word().is_some()
+        || next.literal().is_some() && !super::association::is_qualifier(word)
     {
         if let Some(meant) = words::meant(word) {
             words::report(input, meant, sink);
             return Ok(meant);
         }
     }
-    Err(input.error(if behind.at_word("step") {
+    Err(input.error(if next.at_word("step") {
         format!("`step` stands in front of the name: `step {word}`")
-    } else if behind.at_word("implies") {
+    } else if next.at_word("implies") {
         "an implication is written `=>`: `always a => b;`".to_owned()
     } else if word == "eventually" || word == "finally" {
         "what comes some time follows from something: `a leads_to b;`".to_owned()
-    } else if behind.at(":") && syn::parse_str::<Ident>(word).is_err() {
+    } else if next.at(":") && syn::parse_str::<Ident>(word).is_err() {
         format!("`{word}` is a keyword of Rust; what is declared here has another name: `input level: u8;`")
-    } else if behind.at(":") || decl::lists(input) {
+    } else if next.at(":") || decl::lists(input) {
         format!("say what `{word}` is: `input {word}: bool;`, `output {word}: bool;` or `var {word}: bool = false;`")
-    } else if behind.at_assign() || super::association::is_qualifier(word) || word == "force" {
+    } else if next.at_assign() || super::association::is_qualifier(word) || word == "force" {
         "what a step does stands in its braces: `step A { N q; }`".to_owned()
-    } else if behind.at("-") || behind.at("=>") || behind.at("+") {
+    } else if next.at("-") || next.at("=>") || next.at("+") {
         "a transition is drawn between its steps: `A -[condition]-> B;`".to_owned()
-    } else if behind.at_group(Delimiter::Brace) {
+    } else if next.at_group(Delimiter::Brace) {
         format!("say what `{word}` is: `step {word} {{ … }}` or `partial {word} {{ … }}`")
     } else {
         format!("expected a declaration, a step or a chain of transitions, found `{word}`")

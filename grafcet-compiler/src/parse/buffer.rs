@@ -14,7 +14,7 @@ pub(super) struct Token {
     /// The text of an identifier; asking for it each time would cost more than all the rest.
     pub(super) word: String,
     /// Where the next token on the same level stands.
-    pub(super) behind: usize,
+    pub(super) next: usize,
     /// The delimiters of a group, or all of another token.
     pub(super) open: Span,
     pub(super) close: Span,
@@ -51,10 +51,10 @@ impl Buffer {
             let span = tree.span();
             let (open_at, close_at) =
                 group.as_ref().map_or((span, span), |group| (group.span_open(), group.span_close()));
-            self.0.push(Token { tree, word, behind: at + 1, open: open_at, close: close_at });
+            self.0.push(Token { tree, word, next: at + 1, open: open_at, close: close_at });
             if let Some(group) = group {
                 let changed = self.level(group.stream(), inside, open)?;
-                self.0[at].behind = self.0.len();
+                self.0[at].next = self.0.len();
                 if changed {
                     self.0[at].tree = self.rebuilt(at, &group);
                 }
@@ -70,7 +70,7 @@ impl Buffer {
         let mut inside = at + 1;
         while let Some(token) = self.0.get(inside) {
             content.push(token.tree.clone());
-            inside = token.behind;
+            inside = token.next;
         }
         let mut rebuilt = Group::new(group.delimiter(), content.into_iter().collect());
         rebuilt.set_span(group.span());

@@ -12,17 +12,17 @@ pub(super) fn begins(input: &Input) -> bool {
     if input.at_group(Delimiter::Parenthesis) {
         return true;
     }
-    let behind = input.next();
+    let next = input.next();
     // `0 -[x]-> 1` and `{A, B} -[x]-> C`
-    if (input.number().is_some() || input.at_group(Delimiter::Brace)) && at_arrow(&behind) {
+    if (input.number().is_some() || input.at_group(Delimiter::Brace)) && at_arrow(&next) {
         return true;
     }
     match input.word() {
-        Some("any") if behind.at_word("except") => true,
+        Some("any") if next.at_word("except") => true,
         // `always => a` is half a property.
-        Some(word) if words::ITEMS.contains(&word) => at_arrow(&behind) && !behind.at("=>"),
+        Some(word) if words::ITEMS.contains(&word) => at_arrow(&next) && !next.at("=>"),
         Some(_) if decl::lists(input) => false,
-        Some(_) => at_arrow(&behind) || [",", ";", ".", "::"].iter().any(|sign| behind.at(sign)),
+        Some(_) => at_arrow(&next) || [",", ";", ".", "::"].iter().any(|sign| next.at(sign)),
         None => at_arrow(input),
     }
 }
@@ -37,8 +37,8 @@ fn at_arrow(input: &Input) -> bool {
     let double = input.at("=") && input.next().at_group(Delimiter::Bracket) || input.at("==>") || input.at("=>");
     double || input.at("->") || input.at("<-") || input.at("--") || input.at_group(Delimiter::Bracket) || {
         // `never -x > 3` is a property, `-x->` an arrow.
-        let behind = input.next();
-        input.at("-") && (behind.at_group(Delimiter::Bracket) || behind.at("-") || head_follows(behind))
+        let next = input.next();
+        input.at("-") && (next.at_group(Delimiter::Bracket) || next.at("-") || head_follows(next))
     }
 }
 
@@ -102,8 +102,8 @@ fn alone(input: &Input, start: &Input) -> Error {
 /// What a chain begins with: also `any`, `any except (A, B)`.
 fn first(input: &mut Input, sink: &mut Sink) -> Result<Node> {
     let start = *input;
-    let behind = input.next();
-    if !input.at_word("any") || !behind.at_word("except") && !at_arrow(&behind) {
+    let next = input.next();
+    if !input.at_word("any") || !next.at_word("except") && !at_arrow(&next) {
         return node(input, sink);
     }
     input.bump();
@@ -167,7 +167,7 @@ fn node(input: &mut Input, sink: &mut Sink) -> Result<Node> {
     if input.at(",") || input.at("&") || input.at("&&") {
         return Err(Error::new(input.since(&start), PARALLEL));
     }
-    if condition_behind(input) {
+    if condition_after(input) {
         return Err(input.error("the condition of a transition stands in its arrow: `A -[condition]-> B;`"));
     }
     if input.at("::") {
@@ -180,10 +180,10 @@ fn node(input: &mut Input, sink: &mut Sink) -> Result<Node> {
 }
 
 /// `A -> B: x`, `A -> B if x` and `A -> B [x] / action`
-fn condition_behind(input: &Input) -> bool {
-    let behind = input.next();
+fn condition_after(input: &Input) -> bool {
+    let next = input.next();
     let spoken = input.at_word("if") || input.word().is_some_and(|word| recover::is_conditional(&word.to_lowercase()));
-    let guard = input.at_group(Delimiter::Bracket) && (behind.is_empty() || behind.at(";") || behind.at("/"));
+    let guard = input.at_group(Delimiter::Bracket) && (next.is_empty() || next.at(";") || next.at("/"));
     spoken || guard || input.at(":") && !input.at("::")
 }
 

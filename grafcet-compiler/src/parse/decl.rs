@@ -15,7 +15,7 @@ use crate::list::List;
 pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut Sink) -> Result<Decl> {
     let keyword = input.word().and_then(words::meant).unwrap_or("var");
     input.bump();
-    sign_behind(input, keyword, sink)?;
+    sign_after(input, keyword, sink)?;
     let names = names(input)?;
     colon(input, &names, keyword)?;
     let ty = types::parse(input, sink).and_then(|ty| types::kept(ty, sink))?;
@@ -25,8 +25,8 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
     if kind == DeclKind::Input && init.take().is_some() {
         sink.notation(input.since(&start), "an input has no initial value: each cycle reads it anew; remove this");
     }
-    let mut behind = *input;
-    if behind.eat(",") && behind.eat_ident().is_some() && behind.at(":") {
+    let mut after = *input;
+    if after.eat(",") && after.eat_ident().is_some() && after.at(":") {
         return Err(
             input.error("a declaration has one type; begin another one for the next: `input a: u8; input b: bool;`")
         );
@@ -56,13 +56,13 @@ fn names(input: &mut Input) -> Result<Vec<Ident>> {
 }
 
 /// `input { a: bool }` and `input: a: bool;`, where nothing stands between the keyword and the names.
-fn sign_behind(input: &mut Input, keyword: &str, sink: &mut Sink) -> Result<()> {
+fn sign_after(input: &mut Input, keyword: &str, sink: &mut Sink) -> Result<()> {
     if input.at_group(Delimiter::Brace) {
         let message =
             format!("declarations have no braces: `{keyword} a, b: bool;`, and another one for the next type");
         return Err(input.error(message));
     }
-    if lists_behind_colon(input) {
+    if lists_after_colon(input) {
         sink.notation(input.span(), format!("after `{keyword}` stands the name, without `:`: `{keyword} a, b: bool;`"));
         input.eat(":");
     }
@@ -82,10 +82,10 @@ pub(super) fn lists(input: &Input) -> bool {
 }
 
 /// Whether `: a, b: bool` is next.
-pub(super) fn lists_behind_colon(input: &Input) -> bool {
+pub(super) fn lists_after_colon(input: &Input) -> bool {
     let name = input.next();
-    let behind = name.next();
-    input.at(":") && !input.at("::") && name.at_name() && (behind.at(",") || behind.at(":") && !behind.at("::"))
+    let next = name.next();
+    input.at(":") && !input.at("::") && name.at_name() && (next.at(",") || next.at(":") && !next.at("::"))
 }
 
 fn colon(input: &mut Input, names: &[Ident], keyword: &str) -> Result<()> {

@@ -26,11 +26,11 @@ pub(super) fn comments(input: &mut Input, sink: &mut Sink) {
     let in_parentheses = |input: &Input| { *input }.enter(Delimiter::Parenthesis).is_some_and(|inside| inside.at("*"));
     let mut turns = Turns::default();
     while turns.more(input) {
-        let behind = input.next();
+        let next = input.next();
         if in_parentheses(input) {
             sink.notation(input.span(), MESSAGE);
             input.bump();
-        } else if input.at("#") && (behind.word().is_some() || behind.literal().is_some()) {
+        } else if input.at("#") && (next.word().is_some() || next.literal().is_some()) {
             sink.notation(input.span(), MESSAGE);
             input.bump();
             // Where the toolchain does not tell lines apart, to the end of the item.
@@ -87,8 +87,8 @@ fn single(mut input: Input) -> Option<(Mark, String)> {
         if input.is_empty() || input.at(";") || input.at("=>") {
             return None;
         }
-        if let Some(behind) = input.behind("&&").or_else(|| input.behind("||")).or_else(|| input.behind(",")) {
-            (input, compared, operand, sign) = (behind, false, false, None);
+        if let Some(after) = input.after("&&").or_else(|| input.after("||")).or_else(|| input.after(",")) {
+            (input, compared, operand, sign) = (after, false, false, None);
             continue;
         }
         if let Some(inside) = input.delimiter().and_then(|delimiter| input.enter(delimiter)) {
@@ -99,7 +99,7 @@ fn single(mut input: Input) -> Option<(Mark, String)> {
             operand = true;
             continue;
         }
-        if let Some(compares) = ["<=", ">=", "==", "!=", "<", ">"].iter().find_map(|sign| input.behind(sign)) {
+        if let Some(compares) = ["<=", ">=", "==", "!=", "<", ">"].iter().find_map(|sign| input.after(sign)) {
             if sign.is_some() {
                 return sign;
             }
@@ -151,8 +151,8 @@ fn collect(input: &mut Input, notes: &mut Vec<(Mark, String)>, outermost: bool) 
             return;
         }
         let start = *input;
-        if let Some((behind, message)) = sign(input, operand) {
-            *input = behind;
+        if let Some((after, message)) = sign(input, operand) {
+            *input = after;
             notes.push((input.since(&start), message));
             operand = start.punct().is_none() && operator(start.word().unwrap_or_default()).is_none();
             continue;
@@ -171,32 +171,30 @@ const IMPLIES: &str = "an implication is written `=>`: `always a => b;`; within 
 
 /// The word or sign of another notation at `input`, as far as it reaches, and what to write in its place.
 fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
-    let behind = input.next();
-    if let Some((behind, time)) = iec_time(input) {
-        return Some((behind, format!("a time is written with its unit alone: `{time}`")));
+    let next = input.next();
+    if let Some((after, time)) = iec_time(input) {
+        return Some((after, format!("a time is written with its unit alone: `{time}`")));
     }
     if let Some((word, ours)) = input.word().and_then(|word| Some((word, operator(word)?))) {
         // A name like any other, unless an operand follows it.
-        let operates = starts_operand(&behind) || behind.at_group(Delimiter::Parenthesis) || behind.at("!");
-        return operates.then(|| (behind, format!("`{word}` is written `{ours}`")));
+        let operates = starts_operand(&next) || next.at_group(Delimiter::Parenthesis) || next.at("!");
+        return operates.then(|| (next, format!("`{word}` is written `{ours}`")));
     }
-    if let (Some(edge @ ("rising" | "falling")), Some(name)) = (input.word(), behind.word()) {
-        return Some((behind.next(), format!("an edge is written `{edge}({name})`")));
+    if let (Some(edge @ ("rising" | "falling")), Some(name)) = (input.word(), next.word()) {
+        return Some((next.next(), format!("an edge is written `{edge}({name})`")));
     }
-    if input.word() == Some("after") && behind.literal().is_some() {
+    if input.word() == Some("after") && next.literal().is_some() {
         let message = "a time is asked of a step: `5s/A` holds once step `A` has been active for so long";
-        return Some((behind.next(), message.to_owned()));
+        return Some((next.next(), message.to_owned()));
     }
-    if let (Some(number), Some(unit @ ("h" | "m" | "s" | "ms" | "us" | "min"))) = (input.literal(), behind.word()) {
+    if let (Some(number), Some(unit @ ("h" | "m" | "s" | "ms" | "us" | "min"))) = (input.literal(), next.word()) {
         let unit = if unit == "min" { "m" } else { unit };
-        return Some((behind.next(), format!("number and unit stand together: write `{number}{unit}`")));
+        return Some((next.next(), format!("number and unit stand together: write `{number}{unit}`")));
     }
-    if let (Some(number), true, Some(part)) =
-        (input.literal(), behind.at(".") && !behind.at(".."), behind.next().literal())
-    {
+    if let (Some(number), true, Some(part)) = (input.literal(), next.at(".") && !next.at(".."), next.next().literal()) {
         let time = format!("{number}.{part}");
         if time.ends_with(['h', 'm', 's']) {
-            return Some((behind.next().next(), format!("`{time}` is no time: a number has one decimal point")));
+            return Some((next.next().next(), format!("`{time}` is no time: a number has one decimal point")));
         }
     }
     let signs: [(&str, bool, &str); 11] = [
@@ -213,7 +211,7 @@ fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
         ("%", !operand, "an address has a name here: declare `input start: bool;`, and the program fills it in"),
     ];
     let (text, _, message) = signs.into_iter().find(|(text, fits, _)| *fits && input.at(text))?;
-    let mut end = input.behind(text)?;
+    let mut end = input.after(text)?;
     if text == "%" {
         // `%IX0.0`
         let mut turns = Turns::default();

@@ -13,13 +13,13 @@ use super::condition;
 pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
     let trees: Vec<TokenTree> = tokens.into_iter().list();
     let mut out = Vec::with_capacity(trees.len());
-    let mut behind_fragment = false;
+    let mut after_fragment = false;
     for (at, tree) in trees.iter().enumerate() {
         let group = match tree {
             TokenTree::Group(group) if group.delimiter() == Delimiter::None => group,
             other => {
                 out.push(other.clone());
-                behind_fragment = false;
+                after_fragment = false;
                 continue;
             }
         };
@@ -27,7 +27,7 @@ pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
         if content.is_empty() {
             continue;
         }
-        let between = Between { before: &out, behind_fragment, behind: &trees[at + 1..] };
+        let between = Between { before: &out, after_fragment, after: &trees[at + 1..] };
         if between.needs_parentheses(&content) {
             let mut parentheses = Group::new(Delimiter::Parenthesis, content.into_iter().collect());
             // Parentheses of ours, so that no lint finds them superfluous.
@@ -39,7 +39,7 @@ pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
             out.push_all(content);
             apart(&mut out);
         }
-        behind_fragment = true;
+        after_fragment = true;
     }
     out
 }
@@ -151,17 +151,17 @@ fn begins_with_block(expr: &Expr) -> bool {
 struct Between<'t> {
     before: &'t [TokenTree],
     /// The last token before it is the end of another fragment.
-    behind_fragment: bool,
-    behind: &'t [TokenTree],
+    after_fragment: bool,
+    after: &'t [TokenTree],
 }
 
 impl Between<'_> {
     fn needs_parentheses(&self, content: &[TokenTree]) -> bool {
         match kind(content) {
             // `x as $t < y`: with the type alone, Rust would look for its generic arguments.
-            Kind::Whole => self.behind_as() && is_punct(self.behind, '<'),
+            Kind::Whole => self.after_as() && is_punct(self.after, '<'),
             Kind::Field => {
-                matches!(self.behind, [TokenTree::Group(next), ..] if next.delimiter() == Delimiter::Parenthesis)
+                matches!(self.after, [TokenTree::Group(next), ..] if next.delimiter() == Delimiter::Parenthesis)
             }
             Kind::Braces => self.begins_statement() && self.goes_on(),
             Kind::Statement => (!self.begins_statement() || self.goes_on()) && !self.is_apart(),
@@ -188,13 +188,13 @@ impl Between<'_> {
             },
             _ => false,
         };
-        let behind = match self.behind {
+        let after = match self.after {
             [] => true,
             [TokenTree::Ident(word), ..] => word != "as" && word != "else",
-            [TokenTree::Punct(next), ..] => matches!(next.as_char(), ';' | ',') || is_arm(self.behind),
+            [TokenTree::Punct(next), ..] => matches!(next.as_char(), ';' | ',') || is_arm(self.after),
             _ => false,
         };
-        before && behind
+        before && after
     }
 
     /// Whether a statement can begin here.
@@ -202,8 +202,8 @@ impl Between<'_> {
         match self.before.last() {
             None => true,
             Some(TokenTree::Punct(last)) => last.as_char() == ';',
-            Some(TokenTree::Group(group)) => group.delimiter() == Delimiter::Brace || self.behind_fragment,
-            Some(_) => self.behind_fragment,
+            Some(TokenTree::Group(group)) => group.delimiter() == Delimiter::Brace || self.after_fragment,
+            Some(_) => self.after_fragment,
         }
     }
 
@@ -212,17 +212,17 @@ impl Between<'_> {
         self.before.len().checked_sub(2).is_some_and(|at| is_arm(&self.before[at..]))
     }
 
-    fn behind_as(&self) -> bool {
+    fn after_as(&self) -> bool {
         matches!(self.before.last(), Some(TokenTree::Ident(last)) if last == "as")
     }
 
     /// Whether what follows can go on with an expression.
     fn goes_on(&self) -> bool {
-        match self.behind {
+        match self.after {
             [] | [TokenTree::Literal(_), ..] => false,
             [TokenTree::Ident(word), ..] => word == "as",
             [TokenTree::Punct(next), ..] => {
-                !matches!(next.as_char(), ';' | ',' | '#' | '\'' | ':') && !is_arm(self.behind)
+                !matches!(next.as_char(), ';' | ',' | '#' | '\'' | ':') && !is_arm(self.after)
             }
             [TokenTree::Group(group), ..] => {
                 matches!(group.delimiter(), Delimiter::Parenthesis | Delimiter::Bracket)

@@ -155,7 +155,7 @@ impl Run {
     }
 
     fn group(&mut self, delimiter: Delimiter) {
-        if self.behind_operand() {
+        if self.after_operand() {
             self.postfix += OPERATOR;
         }
         self.operand(match delimiter {
@@ -182,7 +182,7 @@ impl Run {
     fn punct(&mut self, punct: &Punct) {
         let (char, joint) = (punct.as_char(), punct.spacing() == Spacing::Joint);
         let before = self.before;
-        let binary = self.behind_operand();
+        let binary = self.after_operand();
         self.before = Before::Sign { char, joint, binary };
         match (before, char) {
             // `]->` and `A->` are no Rust: a link of a chain, which may be as long as it likes.
@@ -215,7 +215,7 @@ impl Run {
     }
 
     /// Whether the next token can be a binary operator, a call or a field.
-    fn behind_operand(&self) -> bool {
+    fn after_operand(&self) -> bool {
         !matches!(self.before, Before::Start | Before::Sign { .. } | Before::Dash)
     }
 

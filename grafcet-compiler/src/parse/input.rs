@@ -61,7 +61,7 @@ impl<'a> Input<'a> {
     /// Steps over the token at `at`.
     fn step(&mut self, at: usize) {
         self.last = Some(at);
-        self.at = self.tokens[at].behind;
+        self.at = self.tokens[at].next;
     }
 
     /// The next token's place, or that of the closing delimiter.
@@ -151,7 +151,7 @@ impl<'a> Input<'a> {
 
     /// Whether the next tokens are these characters, written without a gap.
     pub(super) fn at(&self, operator: &str) -> bool {
-        self.behind(operator).is_some()
+        self.after(operator).is_some()
     }
 
     /// Whether a group with this delimiter is next.
@@ -176,7 +176,7 @@ impl<'a> Input<'a> {
     }
 
     /// What follows `operator`, if it is next.
-    pub(super) fn behind(mut self, operator: &str) -> Option<Self> {
+    pub(super) fn after(mut self, operator: &str) -> Option<Self> {
         let mut chars = operator.chars().peekable();
         while let Some(char) = chars.next() {
             let punct = self.punct()?;
@@ -208,11 +208,11 @@ impl<'a> Input<'a> {
     }
 
     pub(super) fn eat(&mut self, operator: &str) -> bool {
-        let behind = self.behind(operator);
-        if let Some(behind) = behind {
-            *self = behind;
+        let after = self.after(operator);
+        if let Some(after) = after {
+            *self = after;
         }
-        behind.is_some()
+        after.is_some()
     }
 
     /// Steps over a group and gives what is in it.
@@ -289,7 +289,7 @@ impl<'a> Input<'a> {
             // A type follows the name of a lifetime, `&'a u8`.
             operand = name && !lifetime || matches!(token.tree, TokenTree::Literal(_));
             lifetime = sign('\'');
-            ahead.at = token.behind;
+            ahead.at = token.next;
         }
         self.cut(ahead, parse)
     }
@@ -299,7 +299,7 @@ impl<'a> Input<'a> {
         let mut ahead = *self;
         for _ in 0..count {
             if let Some(token) = self.tokens[..self.end].get(ahead.at) {
-                ahead.at = token.behind;
+                ahead.at = token.next;
             }
         }
         self.cut(ahead, parse)
@@ -328,7 +328,7 @@ impl<'a> Input<'a> {
         let mut at = self.at;
         while at < end.at {
             tokens.append(self.tokens[at].tree.clone());
-            at = self.tokens[at].behind;
+            at = self.tokens[at].next;
         }
         let mut semicolon = Punct::new(';', Spacing::Alone);
         semicolon.set_span(end.span());
@@ -342,7 +342,7 @@ impl<'a> Input<'a> {
         let mut at = self.at;
         while at < end.at {
             starts.push(at);
-            at = self.tokens[at].behind;
+            at = self.tokens[at].next;
         }
         let used = (starts.len() + 1).saturating_sub(left.into_iter().count());
         if let Some(last) = starts.get(used.wrapping_sub(1)) {

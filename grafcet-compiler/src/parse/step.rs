@@ -100,7 +100,7 @@ fn words(input: &mut Input, sink: &mut Sink) -> Words {
         }
         input.bump();
         let Some(slot) = found.slot(meant) else {
-            found.behind(input, sink);
+            found.after_step(input, sink);
             return found;
         };
         if slot.replace(input.last()).is_some() {
@@ -120,7 +120,7 @@ fn words(input: &mut Input, sink: &mut Sink) -> Words {
 
 impl Words {
     /// `step initial A`
-    fn behind(&mut self, input: &mut Input, sink: &mut Sink) {
+    fn after_step(&mut self, input: &mut Input, sink: &mut Sink) {
         let named = input.next().word().is_some_and(|word| word != "within");
         let Some((word, slot)) = input.word().filter(|_| named).and_then(|word| Some((word, self.slot(word)?))) else {
             return;

@@ -83,9 +83,9 @@ fn nanos(text: &str) -> Result<u64, String> {
     let mut sum = 0_u64;
     let mut below = u64::MAX;
     while !rest.is_empty() {
-        let (number, behind) = split(rest, |c: char| c.is_ascii_digit() || c == '.' || c == '_');
-        let (name, behind) = split(behind, |c: char| !c.is_ascii_digit());
-        rest = behind;
+        let (number, after) = split(rest, |c: char| c.is_ascii_digit() || c == '.' || c == '_');
+        let (name, after) = split(after, |c: char| !c.is_ascii_digit());
+        rest = after;
         let Some(&(_, unit)) = UNITS.iter().find(|(unit, _)| *unit == name) else {
             if let Some(ours) = meant(name) {
                 return Err(format!("`{text}` is no time: `{name}` is no unit; write `{ours}`"));

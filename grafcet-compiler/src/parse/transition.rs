@@ -21,8 +21,8 @@ pub(super) fn parse(mut inside: Input, mark: Mark, sink: &mut Sink) -> Transitio
     // What follows a condition that is refused, in which other arrows may stand: `a ==> b`.
     let mut turns = Turns::default();
     while turns.more(&inside) && !inside.at("=>") {
-        match ["==>", "<=>"].into_iter().find_map(|arrow| inside.behind(arrow)) {
-            Some(behind) => inside = behind,
+        match ["==>", "<=>"].into_iter().find_map(|arrow| inside.after(arrow)) {
+            Some(after) => inside = after,
             None => _ = inside.bump(),
         }
     }
@@ -52,8 +52,8 @@ fn condition(inside: &mut Input) -> Result<Condition> {
 
 /// `go:`, but not the beginning of a path.
 fn name(inside: &mut Input) -> Option<Ident> {
-    let behind = inside.next();
-    if inside.word().is_none() || !behind.at(":") || behind.at("::") || behind.at(":=") {
+    let next = inside.next();
+    if inside.word().is_none() || !next.at(":") || next.at("::") || next.at(":=") {
         return None;
     }
     let name = inside.eat_ident();

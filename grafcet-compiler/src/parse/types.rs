@@ -48,8 +48,8 @@ pub(super) fn known(word: &str) -> Option<&str> {
 
 /// A type; the word `time` alone is ours.
 pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Ty> {
-    let behind = input.next();
-    let alone = !behind.at("::") && !behind.at("<") && !behind.at("!");
+    let next = input.next();
+    let alone = !next.at("::") && !next.at("<") && !next.at("!");
     if input.at_word("time") && alone {
         input.bump();
         return Ok(Ty::Time(input.last()));
@@ -57,7 +57,7 @@ pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Ty> {
     if input.is_empty() || [";", "=", ",", ":"].iter().any(|sign| input.at(sign)) && !input.at("::") {
         return Err(input.error(format!("expected a type, such as `bool`, found {}", input.found())));
     }
-    if input.at_word("ARRAY") && behind.at_group(Delimiter::Bracket) {
+    if input.at_word("ARRAY") && next.at_group(Delimiter::Bracket) {
         return Err(input.error("an array is written with its element and its length: `[i16; 4]`"));
     }
     let span = input.span();

@@ -114,12 +114,12 @@ pub(super) fn report(input: &Input, meant: &str, sink: &mut Sink) {
 
 /// Whether an item certainly begins here: no expression has one of our words before a name or a number.
 pub(super) fn item_begins(input: &Input) -> bool {
-    let behind = input.next();
+    let next = input.next();
     if input.at_word("let") {
         // `if let` binds a pattern; one of ours is a name.
-        return behind.at_name() && (behind.next().at_assign() || behind.next().at(":"));
+        return next.at_name() && (next.next().at_assign() || next.next().at(":"));
     }
-    input.word().is_some_and(|word| ITEMS.contains(&word)) && (behind.at_name() || behind.literal().is_some())
+    input.word().is_some_and(|word| ITEMS.contains(&word)) && (next.at_name() || next.literal().is_some())
 }
 
 /// Whether `word` is a keyword that Rust allows in an expression or a type.

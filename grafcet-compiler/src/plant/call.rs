@@ -35,9 +35,9 @@ impl Call {
         let end = all.iter().position(is_braces)?;
         let TokenTree::Group(body) = &all[end] else { return None };
         let (mut plants, mut at) = (Vec::new(), end + 1);
-        while let Some((plant, behind)) = plant(&all, at) {
+        while let Some((plant, after)) = plant(&all, at) {
             plants.push(plant);
-            at = behind;
+            at = after;
         }
         let is_chart = !is_word(all.get(end.wrapping_sub(2)), "plant");
         (is_chart && !plants.is_empty()).then(|| Self {

@@ -291,11 +291,11 @@ fn replace_word(text: &str, word: &str, by: &str) -> String {
     let is_part = |letter: Option<char>| letter.is_some_and(|letter| letter.is_alphanumeric() || letter == '_');
     let (mut replaced, mut rest) = (String::new(), text);
     while let Some(at) = rest.find(word) {
-        let (before, behind) = (&rest[..at], &rest[at + word.len()..]);
-        let whole = !is_part(before.chars().next_back()) && !is_part(behind.chars().next());
+        let (before, after) = (&rest[..at], &rest[at + word.len()..]);
+        let whole = !is_part(before.chars().next_back()) && !is_part(after.chars().next());
         replaced.push_str(before);
         replaced.push_str(if whole { by } else { word });
-        rest = behind;
+        rest = after;
     }
     replaced + rest
 }

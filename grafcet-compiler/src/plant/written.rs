@@ -102,8 +102,8 @@ fn declared_names(body: TokenStream) -> Vec<String> {
             ["input", "output", "var", "fault", "choice"].iter().any(|word| is_word(Some(token), word))
         };
         let Some(at) = item.iter().position(is_word_of) else { continue };
-        let behind = item[at + 1..].iter().take_while(|token| !is_sign(Some(token), ':'));
-        names.extend(behind.filter_map(|token| match token {
+        let after = item[at + 1..].iter().take_while(|token| !is_sign(Some(token), ':'));
+        names.extend(after.filter_map(|token| match token {
             TokenTree::Ident(name) => Some(name.to_string()),
             _ => None,
         }));
@@ -158,16 +158,16 @@ impl Plainer<'_> {
     /// `fault jammed, stuck;`
     fn names(&mut self, item: &[TokenTree], word: &str) {
         let mut rest = &item[1..];
-        if let [TokenTree::Punct(colon), behind @ ..] = rest {
+        if let [TokenTree::Punct(colon), after @ ..] = rest {
             self.sink.notation(colon.span(), format!("no `:` stands after `{word}`: `{word} jammed, stuck;`"));
-            rest = behind;
+            rest = after;
         }
-        while let [TokenTree::Ident(name), behind @ ..] = rest {
+        while let [TokenTree::Ident(name), after @ ..] = rest {
             let doc = format!(" A {word}: nobody drives it.");
             self.declare(name, &doc);
-            rest = match behind {
+            rest = match after {
                 [] => return,
-                [TokenTree::Punct(comma), behind @ ..] if comma.as_char() == ',' => behind,
+                [TokenTree::Punct(comma), after @ ..] if comma.as_char() == ',' => after,
                 _ => break,
             };
         }

@@ -130,7 +130,7 @@ fn covered(shape: &Shape) -> Vec<(Square, What)> {
         Shape::Arrow { at, .. } => vec![(*at, What::Solid("arrow".to_owned()))],
         Shape::Dot { at } => vec![(*at, What::Solid("dot".to_owned()))],
         Shape::Mark { at } => vec![(*at, What::Solid("mark".to_owned()))],
-        // It lies behind what has changed.
+        // It lies beneath what has changed.
         Shape::Changed { .. } => Vec::new(),
         Shape::Text { at, text, half } => {
             let count = i32::try_from(text.chars().count()).unwrap_or(i32::MAX) + i32::from(*half);

@@ -112,9 +112,9 @@ const BODIES: &[(&str, &str, &str)] = &[
 ];
 
 fn every_shape() -> Vec<(String, String, String)> {
-    let around = |shapes: &[(&str, &str, &str)], before: &str, behind: &str| {
+    let around = |shapes: &[(&str, &str, &str)], before: &str, after: &str| {
         let shape = |(open, core, close): &(&str, &str, &str)| {
-            (format!("{before}\0{open}"), (*core).to_owned(), format!("{close}\0{behind}"))
+            (format!("{before}\0{open}"), (*core).to_owned(), format!("{close}\0{after}"))
         };
         shapes.iter().map(shape).collect::<Vec<_>>()
     };
@@ -129,8 +129,8 @@ fn every_shape() -> Vec<(String, String, String)> {
 /// The text with `count` levels.
 fn nested((open, core, close): &(String, String, String), count: usize) -> String {
     let (before, open) = open.split_once('\0').expect("a mark");
-    let (close, behind) = close.split_once('\0').expect("a mark");
-    format!("{before}{}{core}{}{behind}", open.repeat(count), close.repeat(count))
+    let (close, after) = close.split_once('\0').expect("a mark");
+    format!("{before}{}{core}{}{after}", open.repeat(count), close.repeat(count))
 }
 
 fn refused(text: &str) -> bool {

@@ -3,9 +3,9 @@
 use crate::run;
 
 /// `(item, marked text, part of the message)`; the item stands in a chart's body.
-fn check(before: &str, behind: &str, cases: &[(&str, &str, &str)]) {
+fn check(before: &str, after: &str, cases: &[(&str, &str, &str)]) {
     for (text, marked, message) in cases {
-        let (_, errors) = run(&format!("{before}{text}{behind}"));
+        let (_, errors) = run(&format!("{before}{text}{after}"));
         assert_eq!(errors.len(), 1, "{text}: {errors:#?}");
         assert!(errors[0].1.contains(message), "{text}: {errors:#?}");
         assert_eq!(errors[0].0, *marked, "{text}: {errors:#?}");

@@ -161,7 +161,7 @@ fn too_many_inputs() {
     assert!(!undecided.is_empty(), "{said:#?}");
 }
 
-/// What was known of a variable before an action wrote it, which is not looked into, is not known behind it: in the search that leaves A where `n` is 0, C is entered
+/// What was known of a variable before an action wrote it, which is not looked into, is not known after it: in the search that leaves A where `n` is 0, C is entered
 /// as well as E.
 #[test]
 fn what_an_action_has_changed_is_not_known_any_more() {

@@ -251,7 +251,7 @@ fn what_is_drawn_wrongly_is_seen() {
             let without = |begin: &str| {
                 let mut parts = svg.split(begin);
                 let first = parts.next().unwrap_or_default().to_owned();
-                parts.fold(first, |all, part| all + part.split_once("/>").map_or("", |(_, behind)| behind))
+                parts.fold(first, |all, part| all + part.split_once("/>").map_or("", |(_, after)| after))
             };
             if svg.contains("<circle") {
                 dots += 1;

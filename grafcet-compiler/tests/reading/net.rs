@@ -234,8 +234,8 @@ impl Reader<'_> {
     fn piece(&mut self, piece: &Piece) {
         let ends = &piece.ends;
         let before = ends.iter().any(|end| matches!(end, End::Bottom(_) | End::Over(_)));
-        let behind = ends.iter().any(|end| matches!(end, End::Under(_) | End::Top(_) | End::To(_) | End::From(_)));
-        if before && behind {
+        let after = ends.iter().any(|end| matches!(end, End::Under(_) | End::Top(_) | End::To(_) | End::From(_)));
+        if before && after {
             self.faults.push(format!("a line without a transition or step between: {}", self.shown(ends)));
         }
         // A source or sink transition has a line of its own that leads nowhere.
@@ -308,7 +308,7 @@ impl Reader<'_> {
             }
             let mut bars = Vec::new();
             for (_, ends) in &numbered {
-                match self.behind(ends)[..] {
+                match self.bars_after(ends)[..] {
                     [bar] => bars.push(self.seen.bars[bar].text.clone()),
                     _ => self.faults.push(format!("a number at {}", self.shown(ends))),
                 }
@@ -319,7 +319,7 @@ impl Reader<'_> {
     }
 
     /// The bars to which these ends lead.
-    fn behind(&self, ends: &[End]) -> Vec<usize> {
+    fn bars_after(&self, ends: &[End]) -> Vec<usize> {
         let mut bars = Vec::new();
         for end in ends {
             match end {

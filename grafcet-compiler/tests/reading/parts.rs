@@ -67,7 +67,7 @@ impl Parts {
     pub(crate) fn of(svg: &str) -> Self {
         let mut parts = Self::default();
         for tag in svg.split('<').skip(1) {
-            let (tag, behind) = tag.split_once('>').unwrap_or((tag, ""));
+            let (tag, after) = tag.split_once('>').unwrap_or((tag, ""));
             match tag.split_whitespace().next() {
                 Some("path") => {
                     let d = attribute(tag, "d").unwrap_or_default();
@@ -89,7 +89,7 @@ impl Parts {
                     x: number(tag, "x"),
                     y: number(tag, "y"),
                     width: number(tag, "textLength"),
-                    says: plain(behind),
+                    says: plain(after),
                 }),
                 _ => {}
             }

@@ -258,8 +258,8 @@ impl Reader {
                 self.parts.texts.iter().filter(close).filter_map(|text| Some((text.y, text.says.parse().ok()?)));
             let ranks: Vec<(i32, usize)> = numbers.collect();
             for (y, number) in ranks {
-                let behind = reach(contacts, *line, y);
-                let ends = behind.iter().flat_map(|line| self.ends(*line));
+                let after = reach(contacts, *line, y);
+                let ends = after.iter().flat_map(|line| self.ends(*line));
                 let ends = ends.filter(|end| !matches!(end, End::Bottom(_))).collect();
                 piece.ranks.push((number, ends));
             }

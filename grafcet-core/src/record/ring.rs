@@ -44,7 +44,7 @@ pub(crate) struct Ring {
     second: bool,
 }
 
-/// In how many blocks, and how long ones, a ring is divided whose entries have up to `most` bytes behind a key of `key` bytes.
+/// In how many blocks, and how long ones, a ring is divided whose entries have up to `most` bytes after a key of `key` bytes.
 pub(crate) fn divided(len: usize, key: usize, most: usize) -> Option<(usize, usize)> {
     let comfortable = HEADER + key + 4 * most;
     let least = HEADER + key + most;

@@ -101,13 +101,13 @@ impl Piece {
         let (mut first, mut second) = (Self::default(), Self::default());
         // What is after the cut stands so much further back.
         let back = axis.with((0, 0), edge - at);
-        let mut behind = Drawing::default();
+        let mut rest = Drawing::default();
         for shape in self.drawing.shapes {
             match shape {
                 Shape::Line { from, to, double } if axis.of(from) < at && at <= axis.of(to) => {
                     *number += 1;
                     first.drawing.line(from, axis.with(to, at), double);
-                    behind.line(axis.with(from, at - 1), to, double);
+                    rest.line(axis.with(from, at - 1), to, double);
                     let (before, after) = axis.sides();
                     first.ends.push(End { number: *number, at: axis.with(from, at + 1), side: before });
                     second.ends.push(End { number: *number, at: axis.with(from, edge - 2), side: after });
@@ -120,11 +120,11 @@ impl Piece {
                     }
                 }
                 shape if axis.of(start(&shape)) < at => first.drawing.shapes.push(shape),
-                shape => behind.shapes.push(shape),
+                shape => rest.shapes.push(shape),
             }
         }
         for place in self.drawing.places {
-            if axis.of(place.at) < at { first.drawing.places.push(place) } else { behind.places.push(place) }
+            if axis.of(place.at) < at { first.drawing.places.push(place) } else { rest.places.push(place) }
         }
         for one in self.borders {
             border(one, axis, at, edge, &mut first, &mut second);
@@ -136,7 +136,7 @@ impl Piece {
                 second.ends.push(End { at: axis.with(end.at, axis.of(end.at) + edge - at), ..end });
             }
         }
-        second.drawing.paste(behind, back);
+        second.drawing.paste(rest, back);
         (first, second)
     }
 

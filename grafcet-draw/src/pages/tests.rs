@@ -69,7 +69,7 @@ fn a_sequence_goes_on_from_a_transition_to_a_step_on_the_next_piece() {
 }
 
 #[test]
-fn a_page_is_rather_left_empty_than_cut_behind_a_step() {
+fn a_page_is_rather_left_empty_than_cut_after_a_step() {
     // With three rows for the connector there is room for 13: for the second step, whose frame ends in row 11, but not for its transition.
     let pieces = pieces(sequence(3), (30, 16));
     assert_eq!((pieces[0].drawing.places.len(), texts(&pieces[0].drawing)), (1, 3));

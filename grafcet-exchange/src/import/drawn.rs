@@ -29,12 +29,12 @@ fn out<'d>(node: Node<'d, 'd>, by_id: &dyn Fn(&str) -> Option<Node<'d, 'd>>, dep
         "coil" if is_plain("storage") && is_plain("latch") => negated(node, into(node, by_id, depth)?),
         "contact" => {
             let own = negated(node, named("variable").or_else(|| attribute("operand"))?.to_owned());
-            behind(&into(node, by_id, depth)?, own)
+            in_series(&into(node, by_id, depth)?, own)
         }
         "compareContact" => {
             let part = |name: &str| attribute(name);
             let own = format!("({} {} {})", part("operand1")?, part("compareOperator")?, part("operand2")?);
-            behind(&into(node, by_id, depth)?, own)
+            in_series(&into(node, by_id, depth)?, own)
         }
         "block" if node.attribute("instanceName").is_none_or(str::is_empty) => block(node, by_id, depth)?,
         _ => return None,
@@ -43,7 +43,7 @@ fn out<'d>(node: Node<'d, 'd>, by_id: &dyn Fn(&str) -> Option<Node<'d, 'd>>, dep
 }
 
 /// A contact lets through what comes into it.
-fn behind(before: &str, own: String) -> String {
+fn in_series(before: &str, own: String) -> String {
     if before == "TRUE" { own } else { format!("({before} AND {own})") }
 }
 

@@ -268,9 +268,9 @@ fn comments(text: &str, lexed: &Lexed, (heads, ends): (&[(Span, Item)], &[usize]
         let on_line = |span: &Span| span.end <= at.start && !text[span.end..at.start].contains('\n');
         let before = heads.iter().rposition(|(span, _)| span.end <= at.start);
         let inside = |begin: usize| !ends.iter().any(|end| (at.start..begin).contains(end));
-        let behind =
+        let after =
             heads.iter().position(|(span, _)| span.start >= at.end).filter(|index| inside(heads[*index].0.start));
-        let found = before.filter(|index| on_line(&heads[*index].0)).or(behind);
+        let found = before.filter(|index| on_line(&heads[*index].0)).or(after);
         let Some(index) = found else { continue };
         // What stands in the body of an action stays there.
         let pou = heads[..=index].iter().filter(|(_, item)| matches!(item, Item::Pou)).count().saturating_sub(1);

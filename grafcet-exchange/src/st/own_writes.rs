@@ -65,10 +65,10 @@ fn run(scope: &mut Scope<'_>, statements: &[Rust], names: &mut Names, at: &At<'_
                 let condition = scope.tree(condition, &Kind::Bool, &At { before: &names.before, ..*at })?.text;
                 let before = names.before.clone();
                 let then = run(scope, then, names, at)?;
-                let behind = std::mem::replace(&mut names.before, before);
+                let after = std::mem::replace(&mut names.before, before);
                 let otherwise = run(scope, otherwise, names, at)?;
                 // What both have written, or nobody asks for any more.
-                names.before.retain(|place, _| behind.contains_key(place));
+                names.before.retain(|place, _| after.contains_key(place));
                 done.push(Statement::If(vec![(condition, then)], otherwise));
             }
         }

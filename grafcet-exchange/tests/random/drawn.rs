@@ -59,7 +59,7 @@ pub(crate) fn rust_files(folder: &Path) -> Vec<PathBuf> {
     entries.filter(|file| file.extension().is_some_and(|end| end == "rs")).collect()
 }
 
-/// Behind `sfc` or `grafcet`, in front of a brace.
+/// After `sfc` or `grafcet`, in front of a brace.
 pub(crate) fn names(text: &str) -> Vec<String> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let headers = words.windows(3).filter(|words| ["sfc", "grafcet"].contains(&words[0]) && words[2] == "{");

@@ -1,4 +1,4 @@
-//! Charts as Petri nets: what clears in one evolution fires in the net, one behind the other, and then each place has a token whose step is active.
+//! Charts as Petri nets: what clears in one evolution fires in the net, one after the other, and then each place has a token whose step is active.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -46,7 +46,7 @@ impl Net {
         Self { tokens: tokens.collect(), transitions }
     }
 
-    /// What clears at once fires one behind the other.
+    /// What clears at once fires one after the other.
     fn fire(&mut self, evolution: &Evolution) -> Result<(), String> {
         let mut left: Vec<usize> = evolution.cleared.iter().map(|id| id.index()).collect();
         while !left.is_empty() {

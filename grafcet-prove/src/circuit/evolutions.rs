@@ -22,7 +22,7 @@ struct Parts<'p, 'm> {
     evolution: &'p [Statement<'m>],
     /// So many of them at most.
     rounds: u32,
-    behind: &'p [Statement<'m>],
+    after: &'p [Statement<'m>],
 }
 
 /// What is kept from one evolution to the next.
@@ -55,7 +55,7 @@ fn parts<'p, 'm>(cycle: &'p [Statement<'m>]) -> Option<Parts<'p, 'm>> {
     };
     let at = cycle.iter().position(|statement| search(statement).is_some())?;
     let (rounds, evolution) = search(&cycle[at])?;
-    Some(Parts { before: &cycle[..at], evolution, rounds, behind: &cycle[at + 1..] })
+    Some(Parts { before: &cycle[..at], evolution, rounds, after: &cycle[at + 1..] })
 }
 
 impl<'p, 'm> Lowering<'p, 'm> {
@@ -103,7 +103,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
         let env = self.merge(within, &Rc::new(inside), &first)?;
         let (after, done) = self.block(env, parts.evolution)?;
         self.path = done;
-        let (end, _) = self.block(after.clone(), parts.behind)?;
+        let (end, _) = self.block(after.clone(), parts.after)?;
         let assumed = self.assumptions(&end)?;
         let broken = self.aig.or(so_far, self.overflow);
         let claims = self.claims(&end, broken);

@@ -9,7 +9,7 @@ use super::{Env, Field, Latch, Lowering, Refused, Timer};
 use crate::aig::Lit;
 use crate::bits::{self, Bits};
 
-/// How a clock is called, behind what it belongs to. In front of it stands what it counts since it changed.
+/// How a clock is called, after what it belongs to. In front of it stands what it counts since it changed.
 const TIME: &str = ": time";
 
 /// What has been made for the memories of properties.
@@ -23,7 +23,7 @@ pub(super) struct Memories {
 }
 
 impl Memories {
-    /// The latches, behind those that are there; the clocks among them.
+    /// The latches, after those that are there; the clocks among them.
     pub(super) fn finish(self, latches: &mut Vec<Latch>, fields: &mut Vec<Field>) -> Vec<Timer> {
         let mut timers = Vec::new();
         for (name, new) in self.fields {

@@ -19,7 +19,7 @@ pub enum Rest {
 }
 
 impl Interpreter<'_> {
-    /// What is left behind the cycle that has just run with these inputs, `before` being the memory in front of it.
+    /// What is left after the cycle that has just run with these inputs, `before` being the memory in front of it.
     ///
     /// # Errors
     /// Those of [`Interpreter::cycle`].

@@ -68,7 +68,7 @@ impl Layout {
             };
             fields.push(Field { what: what(&name), name, width });
         }
-        // Behind the clock's own reading stand those at which times began.
+        // After the clock's own reading stand those at which times began.
         for began in part(&parts, "clock")?.stream().into_iter().skip(1).filter(|_| unread.is_none()) {
             let name = began.to_string();
             fields.push(Field { what: what(&name), name, width: Width::Ticks });

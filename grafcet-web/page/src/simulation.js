@@ -115,7 +115,7 @@ export class Simulation {
   // Looks at a moment of the past; what is done next is done from there.
   look(at) {
     this.run(false);
-    // Behind what was asked before: that is done now, and not in the past.
+    // After what was asked before: that is done now, and not in the past.
     return this.#do(async () => { this.shown = Math.max(0, Math.min(this.history.length - 1, at)); });
   }
 

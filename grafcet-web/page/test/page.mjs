@@ -58,7 +58,7 @@ const steps = {
     await write(page, MOTOR);
     assert.equal(await text(page, "#verdict"), "No complaints");
     assert.equal(await text(page, "#chart-name"), "Motor");
-    // A letter too much, by keyboard: behind `on` of the first condition.
+    // A letter too much, by keyboard: after `on` of the first condition.
     await page.evaluate(at => playground.editor.go(at, at), MOTOR.indexOf("[on ") + 3);
     await page.keyboard.type("n");
     await page.keyboard.press("Escape");
@@ -165,7 +165,7 @@ const steps = {
     await page.click("#live");
     await page.click("#run");
     await page.click("#run");
-    // Behind what was asked before it was stopped.
+    // After what was asked before it was stopped.
     await page.evaluate(() => playground.simulation.cycle(0));
     const stopped = await page.evaluate(() => playground.simulation.latest.number);
     await page.waitForTimeout(150);
@@ -173,7 +173,7 @@ const steps = {
     await page.selectOption("#speed", "1");
   },
 
-  async "a click behind Restart is not lost"(page) {
+  async "a click after Restart is not lost"(page) {
     // A chart that has not run yet is begun anew a moment after it was changed; who restarts it meanwhile has one that stays.
     const again = `${MOTOR}// again\n`;
     await page.click("#restart");
@@ -279,13 +279,13 @@ const steps = {
   },
 
   async "what takes long is given up for what was typed since"(page) {
-    const behind = MOTOR.replace("Motor", "Behind");
+    const newer = MOTOR.replace("Motor", "Newer");
     await page.evaluate(chart => playground.editor.replace(chart), ring(6000));
     await page.waitForTimeout(100);
     const begin = Date.now();
-    await page.evaluate(chart => playground.editor.replace(chart), behind);
-    await settled(page, behind);
-    console.log(`    ${Date.now() - begin} ms behind a chart of 6,000 steps`);
+    await page.evaluate(chart => playground.editor.replace(chart), newer);
+    await settled(page, newer);
+    console.log(`    ${Date.now() - begin} ms after a chart of 6,000 steps`);
     // To the end of that chart it takes several times as long.
     assert.ok(Date.now() - begin < 6000);
     await ready(page);

@@ -123,7 +123,7 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
     if counts.recorded > 0 && options.soak().is_none() {
         let [all, untold] = counts.traces;
         println!(
-            "{name}: {} of them recorded and restored; from the source {all} traces, of which {untold} leave out cycles behind a state that does not tell all",
+            "{name}: {} of them recorded and restored; from the source {all} traces, of which {untold} leave out cycles after a state that does not tell all",
             counts.recorded
         );
     }

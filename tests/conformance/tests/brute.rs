@@ -55,7 +55,7 @@ fn agree_on(head: &str, chart: &str) {
 
 /// What is entered by a step that is left and entered at once is left in the next evolution, whatever clears there.
 #[test]
-fn an_enclosure_behind_two_transitions_at_once() {
+fn an_enclosure_after_two_transitions_at_once() {
     let chart = "input a, c: bool; initial step S1; initial step S2; step S3; \
                  enclosing step S5 { partial G { linked step S6; step S7; S6 -[true]-> S7; } } \
                  S1 -[c]-> S3 -[a]-> S5; S2 -[a]-> S1;";
@@ -131,7 +131,7 @@ mod by_hand {
     }
 
     #[test]
-    fn a_convergence_behind_a_selection() {
+    fn a_convergence_after_a_selection() {
         let chart = "initial step A; step B; step C; A -[a]-> B; A -[!a]-> C; (B, C) -[b]-> A;";
         assert_eq!(verdicts("sfc", chart), ["", "", "B C", "B C"]);
     }

@@ -79,7 +79,7 @@ fn source(file: &'static str, name: &'static str) -> &'static Chart {
     })
 }
 
-/// Bytes as a record in memory: as they are, or as blocks behind the right heads and check sums.
+/// Bytes as a record in memory: as they are, or as blocks after the right heads and check sums.
 pub fn record(bytes: &[u8]) {
     struct Reads;
     impl Visit for Reads {

@@ -191,11 +191,11 @@ fn what_is_whole_and_means_nothing_is_refused() {
     };
     assert_eq!(content(0x15, 5, &[0]), asked(5, Wanted::Init)[1..], "as a request is written");
     for (what, why) in [
-        (&[0, 0][..], "init with more behind it"),
+        (&[0, 0][..], "init with more after it"),
         (&[1], "no mode"),
         (&[1, 4], "no such mode"),
         (&[1, 0, 0], "two modes"),
-        (&[2, 1], "push with more behind it"),
+        (&[2, 1], "push with more after it"),
         (&[3, 1], "too few steps"),
         (&[3], "no situation"),
         (&[3, 0, 2], "a tenth step"),

@@ -16,7 +16,7 @@ grafcet! {
 }
 
 grafcet! {
-    sfc Behind {
+    sfc After {
         input on, off: bool;
         input n: u16;
         output q, lamp: bool;

@@ -48,7 +48,7 @@ grafcet! {
 }
 
 grafcet! {
-    sfc Behind {
+    sfc After {
         input on, off: bool;
         input n: u16;
         output q, lamp: bool;
@@ -78,7 +78,7 @@ grafcet! {
 }
 
 grafcet! {
-    sfc FatBehind {
+    sfc FatAfter {
         input on, off: bool;
         input n: u16;
         output q, lamp: bool;

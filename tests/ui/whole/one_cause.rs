@@ -17,7 +17,7 @@ grafcet! {
 }
 
 grafcet! {
-    sfc Behind {
+    sfc After {
         input start, full, done: bool;
 
         initial step Idle;

@@ -75,7 +75,7 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "sleeping on `T > t` as on `T >= t`",
         charts: Some("t_deadline_sfc"),
         file: "grafcet-compiler/src/program/lower/changes.rs",
-        right: "Binary::Gt | Binary::Le => _ = found.insert((of, Change::Behind(time)))",
+        right: "Binary::Gt | Binary::Le => _ = found.insert((of, Change::After(time)))",
         wrong: "Binary::Gt | Binary::Le => _ = found.insert((of, Change::At(time)))",
     },
     Fault {

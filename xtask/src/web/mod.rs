@@ -172,8 +172,8 @@ fn same_version() -> Result {
 
 /// The version of a package in a lock file.
 fn locked<'t>(lock: &'t str, package: &str) -> Option<&'t str> {
-    let (_, behind) = lock.split_once(&format!("name = \"{package}\"\nversion = \""))?;
-    behind.split_once('"').map(|(version, _)| version)
+    let (_, after) = lock.split_once(&format!("name = \"{package}\"\nversion = \""))?;
+    after.split_once('"').map(|(version, _)| version)
 }
 
 /// How much a visitor loads.

@@ -211,10 +211,10 @@ impl<'m> Printer<'_, 'm> {
         let (mut in_order, mut jumps, mut count) = (TokenStream::new(), TokenStream::new(), 0);
         for (index, from) in states.iter().enumerate() {
             let to = *of_state.get(from).unwrap_or(from);
-            let behind = *states.get(index + 1).unwrap_or(from);
-            let (from, to_behind) = (self.constant(*from, ty), self.constant(behind, ty));
-            in_order.extend(quote!(#from => #to_behind,));
-            if to != behind {
+            let after = *states.get(index + 1).unwrap_or(from);
+            let (from, to_after) = (self.constant(*from, ty), self.constant(after, ty));
+            in_order.extend(quote!(#from => #to_after,));
+            if to != after {
                 let to = self.constant(to, ty);
                 jumps.extend(quote!(#from => #to,));
                 count += 1;

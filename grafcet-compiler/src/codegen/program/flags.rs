@@ -186,7 +186,7 @@ impl<'m> Printer<'_, 'm> {
             Seen::Written(place) => written[place.0] = true,
             Seen::Set(..) | Seen::Arm(..) | Seen::Entry(_) | Seen::Value(_) => {}
         });
-        let (mut first, mut front, mut behind) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
+        let (mut first, mut front, mut after) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
         for index in 0..self.program.places.len() {
             let place = PlaceId(index);
             if self.layout.slot(place).kind != Kind::Unpacked || !(read[index] || written[index]) {
@@ -207,9 +207,9 @@ impl<'m> Printer<'_, 'm> {
                 front.extend(unpack);
             }
             let packed = self.packed(flags, region, name, &before);
-            behind.extend(quote!(if #name != #before { #packed }));
+            after.extend(quote!(if #name != #before { #packed }));
         }
-        (quote!(#first #front), behind)
+        (quote!(#first #front), after)
     }
 
     /// The bits of a region become those of its state.

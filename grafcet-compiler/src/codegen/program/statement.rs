@@ -26,14 +26,14 @@ impl<'m> Printer<'_, 'm> {
     fn list(&self, statements: &[Statement<'m>], lines: &mut Lines<'_>) -> TokenStream {
         let mut tokens = TokenStream::new();
         let mut rest = statements;
-        while let Some((statement, behind)) = rest.split_first() {
+        while let Some((statement, after)) = rest.split_first() {
             if let Some((record, count)) = self.record(rest) {
                 tokens.extend(record);
                 lines.next += count;
                 rest = &rest[count..];
                 continue;
             }
-            rest = behind;
+            rest = after;
             if let Statement::Part(_, body) = statement {
                 tokens.extend(self.list(body, lines));
                 continue;
@@ -52,7 +52,7 @@ impl<'m> Printer<'_, 'm> {
                 let allowed = written.then(|| quote!(#[allow(unused_assignments)]));
                 tokens.extend(quote!(#allowed let #mutable #name: #ty = #value;));
             }
-            if let (Statement::Set(place, value), Some(Statement::Set(next, _))) = (statement, behind.first()) {
+            if let (Statement::Set(place, value), Some(Statement::Set(next, _))) = (statement, after.first()) {
                 if self.layout.is_mark(*next) {
                     tokens.extend(self.put_unmarked(*place, &self.set_to(*place, value)));
                     continue;

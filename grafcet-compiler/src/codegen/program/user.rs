@@ -4,7 +4,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 use super::Printer;
-use crate::codegen::rust::{bare, behind, plain_name, without_parens};
+use crate::codegen::rust::{bare, plain_name, with_bindings, without_parens};
 use crate::codegen::{names, writes};
 use crate::list::List;
 use crate::model::{Name, Place, Read, placeholder};
@@ -29,7 +29,7 @@ impl<'m> Printer<'_, 'm> {
         if !user.binds.is_empty() && self.cx.is_logic(user.tree) {
             return self.cx.with_inputs(tokens.to_token_stream());
         }
-        behind(&self.bindings(&user.binds, &[], user.tree.is_opaque()), tokens)
+        with_bindings(&self.bindings(&user.binds, &[], user.tree.is_opaque()), tokens)
     }
 
     /// A block of the user: what it may write is a copy, which is taken over after it.

@@ -243,10 +243,10 @@ impl<'r, 's> Lower<'r, 's> {
     pub(super) fn local_in(&self, tokens: TokenStream) -> Option<Ident> {
         let mut dot = false;
         tokens.into_iter().find_map(|tree| {
-            let behind_dot = std::mem::replace(&mut dot, matches!(&tree, TokenTree::Punct(p) if p.as_char() == '.'));
+            let after_dot = std::mem::replace(&mut dot, matches!(&tree, TokenTree::Punct(p) if p.as_char() == '.'));
             match tree {
                 TokenTree::Group(group) => self.local_in(group.stream()),
-                TokenTree::Ident(name) if !behind_dot && self.locals.contains(&name) => Some(name),
+                TokenTree::Ident(name) if !after_dot && self.locals.contains(&name) => Some(name),
                 _ => None,
             }
         })

@@ -52,8 +52,8 @@ impl Resolver<'_> {
     fn is_last(&mut self, id: TransitionId, others: &[TransitionId]) -> bool {
         let mark = self.model.transitions[id].condition.mark;
         let steps = self.steps_text(id);
-        let behind = others.iter().find(|other| **other > id);
-        match behind {
+        let after = others.iter().find(|other| **other > id);
+        match after {
             None if !others.is_empty() => return true,
             None if self.unread || self.model.incomplete => {}
             None => {

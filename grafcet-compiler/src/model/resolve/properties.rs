@@ -25,7 +25,7 @@ const IN_ONE: About = About {
     of_steps: "; what the chart shall never do is a property: `never …;` without `assume`",
 };
 const OFTEN: About = About { params: false, ..IN_ONE };
-const BEHIND: About = About {
+const AFTER: About = About {
     why: "what comes after is the machine's doing, a condition over inputs",
     params: false,
     of_steps: "; what the chart does after something else is a property, without `assume`",
@@ -44,7 +44,7 @@ impl Resolver<'_> {
     pub(super) fn order(&mut self, keyword: Span, order: &ast::Property) {
         let (claim, end) = match order {
             ast::Property::LeadsTo { from, to, within, .. } => {
-                let (from, to) = (self.side(from), self.assumed(to, BEHIND));
+                let (from, to) = (self.side(from), self.assumed(to, AFTER));
                 let end = within.as_ref().map_or(to.mark, |within| within.span.into());
                 if let Some(at_once) = within.as_ref().filter(|within| within.nanos == 0) {
                     let message = format!(
@@ -58,7 +58,7 @@ impl Resolver<'_> {
                 (Claim::LeadsTo { from, to, within }, end)
             }
             ast::Property::Before { first, then, .. } => {
-                let (first, then) = (self.side(first), self.assumed(then, BEHIND));
+                let (first, then) = (self.side(first), self.assumed(then, AFTER));
                 let end = then.mark;
                 (Claim::Before { first, then }, end)
             }

@@ -11,7 +11,7 @@ pub(super) enum Change {
     /// At the time itself.
     At(TimeRef),
     /// One tick after it.
-    Behind(TimeRef),
+    After(TimeRef),
     /// At the ends of both parts of a period.
     Blink(u32, u32),
     /// At every tick: the time is used in another way than in a comparison.
@@ -98,10 +98,10 @@ fn comparison(operator: Binary, a: &Tree, b: &Tree, found: &mut Changes) -> bool
     let Some(of) = of else { return false };
     match operator {
         Binary::Lt | Binary::Ge => _ = found.insert((of, Change::At(time))),
-        Binary::Gt | Binary::Le => _ = found.insert((of, Change::Behind(time))),
+        Binary::Gt | Binary::Le => _ = found.insert((of, Change::After(time))),
         Binary::Eq | Binary::Ne => {
             found.insert((of, Change::At(time)));
-            found.insert((of, Change::Behind(time)));
+            found.insert((of, Change::After(time)));
         }
         _ => return false,
     }

@@ -249,7 +249,7 @@ impl<'m> Lower<'_, 'm> {
     pub(super) fn end_of(&self, change: Change) -> Option<Expr<'m>> {
         match change {
             Change::At(time) => Some(self.time_of(time)),
-            Change::Behind(time) => Some(match self.time_of(time) {
+            Change::After(time) => Some(match self.time_of(time) {
                 Expr::Value(crate::program::Value::Ticks(time)) => ticks(time.saturating_add(1)),
                 time => add(time, ticks(1)),
             }),
@@ -268,7 +268,7 @@ fn are_literals(changes: &Changes, these: &dyn Fn(&Blinker) -> bool) -> bool {
 pub(super) fn literal(change: Change) -> Option<u32> {
     let end = match change {
         Change::At(TimeRef::Ticks(time)) => Some(time),
-        Change::Behind(TimeRef::Ticks(time)) => time.checked_add(1),
+        Change::After(TimeRef::Ticks(time)) => time.checked_add(1),
         _ => None,
     };
     end.filter(|end| *end <= HIGHEST)

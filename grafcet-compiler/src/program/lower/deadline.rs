@@ -90,7 +90,7 @@ impl<'m> Lower<'_, 'm> {
             Blinker::Macro(id) => any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).list()),
         };
         match change {
-            Change::At(_) | Change::Behind(_) => {
+            Change::At(_) | Change::After(_) => {
                 let (Some(clock), Some(end)) = (self.clock(of), self.end_of(change)) else { return };
                 if !self.counts_from_beginning() {
                     let passed = clock.passed(Expr::Place(reading));

@@ -107,7 +107,7 @@ impl<'m> Lower<'_, 'm> {
         is_stable.push(Statement::Break);
         part(&mut body, "stable (A25)", vec![Statement::If(not(any(changes)), is_stable, Vec::new())]);
         let bound = stable.map(|stable| self.bound(stable, round)).into_iter().list();
-        if self.is_stopped_behind() {
+        if self.is_stopped_after() {
             body.extend_from_slice(&round.commit);
             part(&mut body, "the bound (A30)", bound);
         } else {
@@ -118,14 +118,14 @@ impl<'m> Lower<'_, 'm> {
     }
 
     /// Whether the bound is looked at after the last evolution, as what has made so many goes on for ever; of one region `search` finds that.
-    fn is_stopped_behind(&self) -> bool {
+    fn is_stopped_after(&self) -> bool {
         self.comes_back && self.state.len() > 1
     }
 
     /// The bound stops the search.
     fn bound(&self, stable: PlaceId, round: &Round<'m>) -> Statement<'m> {
         let mut stop = vec![Statement::Set(stable, no())];
-        stop.push_all(if self.is_stopped_behind() { round.look.clone() } else { self.take_back() });
+        stop.push_all(if self.is_stopped_after() { round.look.clone() } else { self.take_back() });
         stop.push(Statement::Break);
         let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound as usize));
         Statement::If(at_bound, stop, Vec::new())

@@ -26,7 +26,7 @@ struct Copied<'m> {
     at: usize,
     state: Value,
     /// What that way does after it.
-    behind: Vec<Statement<'m>>,
+    after: Vec<Statement<'m>>,
 }
 
 pub(super) fn pass(program: &Program<'_>, points: &States, fields: &[PlaceId], trees: &mut [Option<Tree<'_>>]) {
@@ -39,7 +39,7 @@ pub(super) fn pass(program: &Program<'_>, points: &States, fields: &[PlaceId], t
                 let state = leaf.state;
                 let known = copied.iter().any(|other| (other.local, other.at, other.state) == (*local, at, state));
                 if !program.places[local.0].is_field && !known {
-                    copied.push(Copied { local: *local, at, state, behind: leaf.body[place + 1..].to_vec() });
+                    copied.push(Copied { local: *local, at, state, after: leaf.body[place + 1..].to_vec() });
                 }
             }
         });
@@ -67,12 +67,12 @@ fn copy<'m>(leaf: &mut Leaf<'m>, one: &Copied<'m>, field: PlaceId, initial: Opti
         },
         None => {
             // In front of what stands after it on the other way: lists have in common what stands in one order.
-            let follows = |statement: &Statement<'m>| one.behind.iter().any(|other| same_statement(statement, other));
+            let follows = |statement: &Statement<'m>| one.after.iter().any(|other| same_statement(statement, other));
             (leaf.body.iter().position(follows).unwrap_or(leaf.body.len()), false, initial)
         }
     };
-    let behind = Effects::of_all(&leaf.body[at..]);
-    if value != Some(*held) || behind.writes.contains(&field) || !is_set && behind.reads.contains(&one.local) {
+    let after = Effects::of_all(&leaf.body[at..]);
+    if value != Some(*held) || after.writes.contains(&field) || !is_set && after.reads.contains(&one.local) {
         return;
     }
     let copy = Statement::Set(one.local, Expr::Place(field));

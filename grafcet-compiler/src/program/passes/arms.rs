@@ -70,7 +70,7 @@ fn in_arm<'m>(
         [Statement::Loop { rounds: 1, body }] => (body.split_last()?.1, true),
         _ => (otherwise, false),
     };
-    let (Statement::Match(place, arms, rest), behind) = body.split_first()? else { return None };
+    let (Statement::Match(place, arms, rest), after) = body.split_first()? else { return None };
     let (step, others) = asked(condition, *place).filter(|_| matches!(program.places[place.0].role, Role::State(_)))?;
     let is_join = others.iter().any(|part| asks_state(program, part));
     if arms.len() < FEW
@@ -85,7 +85,7 @@ fn in_arm<'m>(
         return None;
     }
     let mut then = then.to_vec();
-    if !behind.is_empty() {
+    if !after.is_empty() {
         then.push(Statement::Break);
     }
     let arms = with_arm(arms, rest, step, |arm| {
@@ -98,11 +98,11 @@ fn in_arm<'m>(
         }
     })?;
     let found = Statement::Match(*place, arms, rest.clone());
-    if behind.is_empty() {
+    if after.is_empty() {
         return Some(found);
     }
     let mut body = vec![found];
-    body.extend_from_slice(behind);
+    body.extend_from_slice(after);
     body.push(Statement::Break);
     Some(Statement::Loop { rounds: 1, body })
 }

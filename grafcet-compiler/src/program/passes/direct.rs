@@ -68,8 +68,8 @@ fn put(program: &Program<'_>, cycle: &[Statement<'_>], at: usize) -> Option<(Pla
     let (mut reads, mut writes) = (0, 0);
     each_asked(cycle, &mut |place| reads += usize::from(place == *output));
     each_written(cycle, &mut |place| writes += usize::from(place == *output));
-    let behind = Effects::of_all(&cycle[at + 1..]);
-    let ends = !behind.reads.contains(local) && !behind.writes.contains(local);
+    let after = Effects::of_all(&cycle[at + 1..]);
+    let ends = !after.reads.contains(local) && !after.writes.contains(local);
     ((reads, writes) == (0, 1) && ends && !is_run(cycle, *local)).then_some((*output, *local))
 }
 

@@ -119,7 +119,7 @@ fn by_kind<'m>(
     program: &Program<'m>,
     small: bool,
     (place, arms): (PlaceId, &[Arm<'m>]),
-    behind: Option<&Statement<'m>>,
+    after: Option<&Statement<'m>>,
 ) -> Option<(usize, Vec<Arm<'m>>)> {
     let Type::State(region) = program.places[place.0].ty else { return None };
     let states: usize = arms.iter().map(|(values, _)| values.len()).sum();
@@ -128,7 +128,7 @@ fn by_kind<'m>(
     }
     let arms = merged(arms.to_vec());
     let alone = arms.iter().filter(|(values, body)| values.len() == 1 && !body.is_empty()).count();
-    let is_test = matches!(behind, Some(Statement::Set(_, Expr::Table(..))));
+    let is_test = matches!(after, Some(Statement::Set(_, Expr::Table(..))));
     let few = if small { 2 * arms.len() <= states } else { is_test && alone > 0 && alone * ALONE <= states };
     few.then_some((region, arms))
 }

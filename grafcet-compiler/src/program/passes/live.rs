@@ -80,8 +80,8 @@ impl<'l> Live<'l> {
 
     /// A round of a loop reads what the one before has written; after the loop is where it is left.
     pub(super) fn rounds(&mut self, body: &mut Vec<Statement<'_>>) {
-        let behind = self.now.clone();
-        let outside = std::mem::replace(&mut self.left, behind);
+        let after = self.now.clone();
+        let outside = std::mem::replace(&mut self.left, after);
         // Of fields it is enough that they may be live.
         self.now.join(self.after);
         loop {
@@ -114,9 +114,9 @@ impl<'l> Live<'l> {
                 true
             }
             Statement::If(condition, then, otherwise) => {
-                let behind = self.now.clone();
+                let after = self.now.clone();
                 self.sweep(then);
-                let first = std::mem::replace(&mut self.now, behind);
+                let first = std::mem::replace(&mut self.now, after);
                 self.sweep(otherwise);
                 self.now.join(&first);
                 if then.is_empty() && otherwise.is_empty() && is_pure(condition) {
@@ -130,10 +130,10 @@ impl<'l> Live<'l> {
                 true
             }
             Statement::Match(place, arms, otherwise) => {
-                let behind = self.now.clone();
+                let after = self.now.clone();
                 self.sweep(otherwise);
                 for (_, body) in arms.iter_mut() {
-                    let so_far = std::mem::replace(&mut self.now, behind.clone());
+                    let so_far = std::mem::replace(&mut self.now, after.clone());
                     self.sweep(body);
                     self.now.join(&so_far);
                 }

@@ -58,7 +58,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
         is_unsure: false,
     };
     if !moved.is_told(ways) {
-        return begun_behind(program, ways, since);
+        return begun_after(program, ways, since);
     }
     moved.over = moved.outlasted(ways);
     let begun = moved.begins(program, ways);
@@ -81,17 +81,17 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
         });
     }
     moved.ask(program, before, begun);
-    let (mut front, mut behind) = (vec![Statement::Set(before, Expr::Place(ways.state))], Vec::new());
+    let (mut front, mut after) = (vec![Statement::Set(before, Expr::Place(ways.state))], Vec::new());
     if begun {
         let [copy, begins] = where_it_differs(program, ways.state, since);
         front.insert(0, copy);
-        behind.push(begins);
+        after.push(begins);
     }
-    [front, behind]
+    [front, after]
 }
 
 /// The same of the time alone, in a `grafcet` of which each cycle ends settled.
-fn begun_behind<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>, since: PlaceId) -> Around<'m> {
+fn begun_after<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>, since: PlaceId) -> Around<'m> {
     let is_begin = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Now) if *place == since);
     let (mut begins, after) = (true, read_after(program));
     for (tree, from) in ways.trees.iter().zip(ways.points) {

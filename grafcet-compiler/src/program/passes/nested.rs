@@ -33,8 +33,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
         let is_state = |place: &PlaceId| matches!(program.places[place.0].role, Role::State(_));
         Effects::of(statement).writes.iter().any(is_state)
     };
-    let behind = cycle.iter().rposition(moves).map_or(0, |last| last + 1);
-    let mut acting = cycle.split_off(behind);
+    let after = cycle.iter().rposition(moves).map_or(0, |last| last + 1);
+    let mut acting = cycle.split_off(after);
     nest(program, &mut acting);
     cycle.append(&mut acting);
     program.cycle = cycle;
@@ -86,16 +86,16 @@ fn gather<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
 
 /// The states of the match in front beside which so many statements after it do nothing, where these are several.
 fn followers(program: &Program<'_>, statements: &[Statement<'_>]) -> Option<(Vec<Option<StepId>>, usize)> {
-    let [Statement::Match(place, ..), behind @ ..] = statements else { return None };
+    let [Statement::Match(place, ..), after @ ..] = statements else { return None };
     let Role::State(region) = program.places[place.0].role else { return None };
     let resting = |statement: &Statement<'_>| {
         let mut states = states(program, region);
         states.retain(|state| Beside { program, place: *place, region, state: *state }.rests(statement));
         states
     };
-    let mut common = resting(behind.first()?);
+    let mut common = resting(after.first()?);
     let mut count = 0;
-    for statement in behind {
+    for statement in after {
         let Statement::Match(..) = statement else { break };
         let others = resting(statement);
         if !common.iter().all(|state| others.contains(state)) {
@@ -166,7 +166,7 @@ fn sort<'m>(program: &Program<'m>, statements: &mut [Statement<'m>]) {
     }
 }
 
-/// The block of a match that has all states beside which a statement behind it does something, if there are others, and what is known in it.
+/// The block of a match that has all states beside which a statement after it does something, if there are others, and what is known in it.
 fn home<'s, 'p, 'm>(
     program: &'p Program<'m>,
     above: &'s mut Statement<'m>,

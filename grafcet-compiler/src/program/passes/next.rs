@@ -106,9 +106,9 @@ fn truth<'m>(name: &str) -> PlaceInfo<'m> {
 
 fn scan(program: &mut Program<'_>) {
     let Some(at) = program.cycle.iter().position(|statement| writes_state(program, statement)) else { return };
-    let [Statement::Match(state, arms, _), behind @ ..] = &program.cycle[at..] else { return };
+    let [Statement::Match(state, arms, _), after @ ..] = &program.cycle[at..] else { return };
     let (state, goes) = (*state, PlaceId(program.places.len()));
-    let (was, begins) = match begins(behind, state) {
+    let (was, begins) = match begins(after, state) {
         Some((was, begins)) => (Some(was), begins.to_vec()),
         None => (None, Vec::new()),
     };
@@ -141,8 +141,8 @@ fn scan(program: &mut Program<'_>) {
 }
 
 /// What is done after the ways where the state differs from what it was: the local that says what it was, and what is done.
-fn begins<'s, 'm>(behind: &'s [Statement<'m>], state: PlaceId) -> Option<(PlaceId, &'s [Statement<'m>])> {
-    let Some(Statement::If(Expr::Compare(Comparison::Differs, was, now), begins, otherwise)) = behind.first() else {
+fn begins<'s, 'm>(after: &'s [Statement<'m>], state: PlaceId) -> Option<(PlaceId, &'s [Statement<'m>])> {
+    let Some(Statement::If(Expr::Compare(Comparison::Differs, was, now), begins, otherwise)) = after.first() else {
         return None;
     };
     match (&**was, &**now) {

@@ -42,7 +42,7 @@ struct Search<'m> {
     before: Vec<Statement<'m>>,
     rounds: u32,
     body: Vec<Statement<'m>>,
-    behind: Vec<Statement<'m>>,
+    after: Vec<Statement<'m>>,
     /// What stands at the end of each round.
     tail: Vec<Statement<'m>>,
 }
@@ -73,16 +73,16 @@ impl<'m> Search<'m> {
         let Initial::Value(begin @ Value::Step(step)) = places[state.0].initial else { return None };
         let mut list = opened(&program.cycle);
         let at = list.iter().position(|statement| matches!(statement, Statement::Loop { .. }))?;
-        let behind = list.split_off(at + 1);
+        let after = list.split_off(at + 1);
         let Some(Statement::Loop { rounds, body }) = list.pop() else { return None };
         let writes = |list: &[Statement<'m>]| is_written_in(list, state);
         let loops = |list: &[Statement<'m>]| list.iter().any(|one| matches!(one, Statement::Loop { .. }));
-        if writes(&list) || writes(&behind) || loops(&behind) || loops(&body) {
+        if writes(&list) || writes(&after) || loops(&after) || loops(&body) {
             return None;
         }
         let body = flat(&body, None, true, places);
         let points = States::of(step, program.regions.first()?);
-        Some(Self { state, begin, points, before: list, rounds, body, behind, tail: Vec::new() })
+        Some(Self { state, begin, points, before: list, rounds, body, after, tail: Vec::new() })
     }
 
     /// The same search where the bound is looked at after the evolutions instead of within them: what has come back to a step by then
@@ -96,7 +96,7 @@ impl<'m> Search<'m> {
         // The situation stays what it is, and no evolution is taken back.
         stop.retain(|one| !matches!(one, Statement::Set(place, _) if *place == self.state));
         let written = Effects::of_all(&body).writes;
-        let seen = Effects::of_all(&self.behind).reads;
+        let seen = Effects::of_all(&self.after).reads;
         let mut copies = Vec::new();
         for place in seen.iter().filter(|place| written.contains(place)) {
             let info = &program.places[place.0];
@@ -109,15 +109,15 @@ impl<'m> Search<'m> {
         }
         stop.splice(0..0, copies);
         let tail = vec![Statement::If(at_bound, stop, Vec::new())];
-        let (points, before, behind) = (self.points.clone(), self.before.clone(), self.behind.clone());
-        Some(Self { points, before, body, behind, tail, ..*self })
+        let (points, before, after) = (self.points.clone(), self.before.clone(), self.after.clone());
+        Some(Self { points, before, body, after, tail, ..*self })
     }
 
     /// The cycle, and the outputs that are no fields in it.
     fn cycle(&self, program: &Program<'m>, tells: bool) -> Result<(Vec<Statement<'m>>, Told), Lost> {
         let mut round = self.body.clone();
         round.extend(self.tail.iter().cloned());
-        let live = live(program, &round, &self.behind);
+        let live = live(program, &round, &self.after);
         let mut assumed = Vec::with_capacity(program.places.len());
         let mut carried = Vec::new();
         for (index, place) in program.places.iter().enumerate() {
@@ -144,11 +144,11 @@ impl<'m> Search<'m> {
         }
         let rest = share::ends(&mut bodies, &may);
         acts.retain(|(_, body)| !body.is_empty());
-        let mut behind = Vec::new();
+        let mut after = Vec::new();
         if !acts.is_empty() {
-            behind.push(Statement::Match(self.state, merged(acts), Vec::new()));
+            after.push(Statement::Match(self.state, merged(acts), Vec::new()));
         }
-        behind.extend(rest);
+        after.extend(rest);
         let mut tail = self.tail.clone();
         if tail.is_empty() {
             let early =
@@ -167,7 +167,7 @@ impl<'m> Search<'m> {
             body.extend(tail);
             cycle.push(Statement::Loop { rounds, body });
         }
-        cycle.extend(behind);
+        cycle.extend(after);
         Ok((cycle, told))
     }
 
@@ -293,13 +293,13 @@ impl<'m> Search<'m> {
     ) -> Result<Vec<Arm<'m>>, Lost> {
         let places = &program.places;
         // In each state it is asked of each of these conditions whether it holds there.
-        let mut behind = self.behind.clone();
-        rewrite(&mut behind, &mut |expr| replaced(expr, &gathered));
+        let mut after = self.after.clone();
+        rewrite(&mut after, &mut |expr| replaced(expr, &gathered));
         let none = vec![false; places.len()];
-        let index = Index::of_region(places, &behind, (self.state, none.clone()), &none, &self.points, 0);
+        let index = Index::of_region(places, &after, (self.state, none.clone()), &none, &self.points, 0);
         // Nothing is known of what the loop has written but what it is left with.
         let nothing = vec![Fact::Nothing; places.len()];
-        let mut engine = Engine::new(places, (&behind, &index), self.state, &self.points, &[], nothing);
+        let mut engine = Engine::new(places, (&after, &index), self.state, &self.points, &[], nothing);
         let mut touched = Effects::of_all(&self.before);
         touched.add_all(&self.body);
         for (index, place) in places.iter().enumerate() {
@@ -364,10 +364,10 @@ pub(super) fn opened<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
 }
 
 /// What is live where a round begins or the loop is left.
-fn live<'m>(program: &Program<'m>, body: &[Statement<'m>], behind: &[Statement<'m>]) -> Places {
-    let after = read_after(program);
-    let mut live = Live::after(&after);
-    live.sweep(&mut behind.to_vec());
+fn live<'m>(program: &Program<'m>, body: &[Statement<'m>], after: &[Statement<'m>]) -> Places {
+    let read = read_after(program);
+    let mut live = Live::after(&read);
+    live.sweep(&mut after.to_vec());
     live.rounds(&mut body.to_vec());
     live.now
 }

@@ -74,7 +74,7 @@ impl View {
     /// The last place of a statement, if what stays after it can be done before it.
     fn find(&self, list: &[Statement<'_>], statement: &Statement<'_>) -> Option<usize> {
         let at = list[..self.end].iter().rposition(|other| same_statement(other, statement))?;
-        let stays = |behind: usize| self.taken[behind] || self.effects[at].may_swap(&self.effects[behind]);
+        let stays = |after: usize| self.taken[after] || self.effects[at].may_swap(&self.effects[after]);
         (at + 1..list.len()).all(stays).then_some(at)
     }
 }

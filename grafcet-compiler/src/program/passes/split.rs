@@ -170,7 +170,7 @@ impl Split {
         if options.told {
             told::pass(program, &self.fields, &mut trees);
         }
-        let [front, behind] = if options.moved {
+        let [front, after] = if options.moved {
             let (points, fields) = (&*self.points.all, &*self.fields);
             moved::pass(program, &mut moved::Ways { state: self.state, points, fields, trees: &mut trees })
         } else {
@@ -178,7 +178,7 @@ impl Split {
         };
         program.cycle = front.clone();
         program.cycle.push(self.evolution(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect()));
-        program.cycle.extend(behind.iter().cloned());
+        program.cycle.extend(after.iter().cloned());
         if !options.join {
             return;
         }
@@ -187,7 +187,7 @@ impl Split {
         let (mut acts, rest) = self.join(&mut trees);
         let mut cycle = front;
         cycle.push(self.evolution(trees));
-        cycle.extend(behind);
+        cycle.extend(after);
         acts.retain(|(_, body)| !body.is_empty());
         if !acts.is_empty() {
             cycle.push(Statement::Match(self.state, merged(acts), Vec::new()));

@@ -31,9 +31,9 @@ pub(super) fn pass(program: &mut Program<'_>) {
         if !matches!(program.cycle[at], Statement::Loop { .. }) {
             continue;
         }
-        let behind = Effects::of_all(&program.cycle[at + 1..]);
+        let after = Effects::of_all(&program.cycle[at + 1..]);
         let Statement::Loop { body, .. } = &mut program.cycle[at] else { continue };
-        in_place(&program.places, body, &behind);
+        in_place(&program.places, body, &after);
     }
 }
 
@@ -144,10 +144,10 @@ fn is_copy(statement: &Statement<'_>, to: PlaceId, from: PlaceId) -> bool {
 }
 
 /// Sets values where their next ones are set.
-fn in_place(places: &[PlaceInfo<'_>], body: &mut Vec<Statement<'_>>, behind: &Effects) {
+fn in_place(places: &[PlaceInfo<'_>], body: &mut Vec<Statement<'_>>, after: &Effects) {
     let mut at = 0;
     while at < body.len() {
-        if let Some((next, value, end)) = copied(places, body, at, behind) {
+        if let Some((next, value, end)) = copied(places, body, at, after) {
             body.remove(end);
             body.remove(at);
             renamed(&mut body[at..end - 1], next, value);
@@ -162,7 +162,7 @@ fn copied(
     places: &[PlaceInfo<'_>],
     body: &[Statement<'_>],
     at: usize,
-    behind: &Effects,
+    after: &Effects,
 ) -> Option<(PlaceId, PlaceId, usize)> {
     let Statement::Set(next, Expr::Place(value)) = body[at] else { return None };
     let end = body.iter().rposition(|one| is_copy(one, value, next)).filter(|end| *end > at)?;
@@ -171,7 +171,7 @@ fn copied(
     let used = |effects: &Effects| effects.reads.contains(&next) || effects.writes.contains(&next);
     let reads = between.reads.contains(&next) || between.reads.contains(&value) || between.writes.contains(&value);
     let is_next = !places[next.0].is_field && matches!(places[next.0].ty, ref ty if same_type(ty, &places[value.0].ty));
-    (is_next && !reads && !between.leaves && !used(&rest) && !used(behind)).then_some((next, value, end))
+    (is_next && !reads && !between.leaves && !used(&rest) && !used(after)).then_some((next, value, end))
 }
 
 fn same_type(a: &super::super::Type<'_>, b: &super::super::Type<'_>) -> bool {

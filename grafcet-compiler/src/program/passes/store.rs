@@ -105,15 +105,15 @@ fn rewrite_sets(body: &mut [Statement<'_>], of: PlaceId, new: &dyn Fn(&Expr<'_>)
 }
 
 /// Statements after look at the local.
-fn renamed(behind: &mut [Statement<'_>], state: PlaceId, after: PlaceId) {
-    rewrite(behind, &mut |expr| {
+fn renamed(following: &mut [Statement<'_>], state: PlaceId, after: PlaceId) {
+    rewrite(following, &mut |expr| {
         replaced(expr, &|leaf| match leaf {
             Expr::Place(place) if *place == state => Some(Expr::Place(after)),
             Expr::Is(place, steps) if *place == state => Some(Expr::Is(after, steps.clone())),
             _ => None,
         })
     });
-    matches_renamed(behind, state, after);
+    matches_renamed(following, state, after);
 }
 
 fn matches_renamed(statements: &mut [Statement<'_>], state: PlaceId, after: PlaceId) {

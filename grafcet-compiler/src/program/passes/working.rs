@@ -50,13 +50,13 @@ pub(super) fn pass(program: &mut Program<'_>) {
             front.extend(stored.iter().cloned());
         }
     }
-    let behind = body.split_off(last + 1);
+    let after = body.split_off(last + 1);
     if !as_local {
         let counts = |place: PlaceId| program.places[place.0].role == Role::Evolutions;
-        bound_behind(body, now, &counts);
+        bound_after(body, now, &counts);
     }
     body.extend(stored);
-    body.extend(behind);
+    body.extend(after);
     store_where_it_ends(body, now, state);
     let search = program.cycle.split_off(at);
     program.cycle.extend(front);
@@ -72,7 +72,7 @@ fn local(program: &mut Program<'_>, of: PlaceId) -> PlaceId {
 }
 
 /// Where a search is stopped by its bound, nobody asks for the local any more: so ways that write nothing else need not look at the bound each for itself, if all ways do.
-fn bound_behind<'m>(body: &mut Vec<Statement<'m>>, now: PlaceId, counts: &dyn Fn(PlaceId) -> bool) {
+fn bound_after<'m>(body: &mut Vec<Statement<'m>>, now: PlaceId, counts: &dyn Fn(PlaceId) -> bool) {
     let is_bound = |condition: &Expr<'_>| matches!(condition, Expr::Compare(Comparison::Equal, count, _) if matches!(**count, Expr::Place(place) if counts(place)));
     let Some(Statement::Match(on, arms, otherwise)) = body.last_mut() else { return };
     if *on != now || !otherwise.is_empty() || !arms.iter().all(|(_, arm)| looks(arm, &is_bound)) {
@@ -108,7 +108,7 @@ fn looks(statements: &[Statement<'_>], is_bound: &dyn Fn(&Expr<'_>) -> bool) -> 
     })
 }
 
-/// The blocks that end with a look at the bound behind which nothing but the state is written.
+/// The blocks that end with a look at the bound after which nothing but the state is written.
 fn find_bare<'b, 'm>(
     block: &'b mut Vec<Statement<'m>>,
     now: PlaceId,

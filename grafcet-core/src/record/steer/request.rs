@@ -49,15 +49,15 @@ impl Request<'_> {
                 (FORCE, len)
             }
         };
-        let (kind, behind) = head.split_first_mut()?;
+        let (kind, rest) = head.split_first_mut()?;
         *kind = COMMAND;
-        let (number, behind) = behind.split_first_chunk_mut()?;
+        let (number, rest) = rest.split_first_chunk_mut()?;
         *number = self.number.to_le_bytes();
-        let (fingerprint, behind) = behind.split_first_chunk_mut()?;
+        let (fingerprint, rest) = rest.split_first_chunk_mut()?;
         *fingerprint = self.fingerprint.to_le_bytes();
-        let (seen, behind) = behind.split_first_chunk_mut()?;
+        let (seen, rest) = rest.split_first_chunk_mut()?;
         *seen = self.seen.to_le_bytes();
-        *behind.first_mut()? = what;
+        *rest.first_mut()? = what;
         let end = HEAD + len;
         let check = CHECK.checksum(raw.get(..end)?).to_le_bytes();
         raw.get_mut(end..end + TAIL)?.copy_from_slice(&check);

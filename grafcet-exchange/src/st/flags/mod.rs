@@ -204,7 +204,7 @@ impl<'m> Flags<'m> {
         part(body, "Steps: set by what leads to them, reset by what leaves them", situation);
         part(body, "What has been activated and deactivated by transitions, orders and enclosing steps", moved);
         part(body, "A step that is entered anew begins its time anew", restarts);
-        part(body, "Edges that actions ask for, of what there is behind the evolution", acting);
+        part(body, "Edges that actions ask for, of what there is after the evolution", acting);
         acting_parts(body, model, timers, [instants, actions]);
         body.extend(ended);
         program.header = header::flags(model, &self.scope);

@@ -58,7 +58,7 @@ impl Flags<'_> {
                 let all: BTreeMap<Read, Vec<Statement>> = following.into_iter().chain(own).collect();
                 let (mut seen, mut order) = (BTreeSet::new(), Vec::new());
                 for read in all.keys() {
-                    self.behind(*read, &mut seen, &mut order);
+                    self.after_asked(*read, &mut seen, &mut order);
                 }
                 let sorted = order.iter().filter_map(|read| all.get(read)).flatten().cloned().collect();
                 vec![("What follows the situation, and edges and delays that belong to it", sorted)]
@@ -67,10 +67,10 @@ impl Flags<'_> {
     }
 
     /// First what it asks for.
-    fn behind(&self, read: Read, seen: &mut BTreeSet<Read>, order: &mut Vec<Read>) {
+    fn after_asked(&self, read: Read, seen: &mut BTreeSet<Read>, order: &mut Vec<Read>) {
         if seen.insert(read) {
             for asked in self.asks(read) {
-                self.behind(asked, seen, order);
+                self.after_asked(asked, seen, order);
             }
             order.push(read);
         }

@@ -40,15 +40,15 @@ pub(super) fn words(text: &str) -> Vec<Word<'_>> {
         } else {
             first.len_utf8()
         };
-        let (word, behind) = rest.split_at(length);
+        let (word, after) = rest.split_at(length);
         all.push(match first {
             _ if word.contains('#') || first.is_ascii_digit() => Word::Other(word),
-            _ if is_part(first) && (text[..at].ends_with('.') || behind.trim_start().starts_with(":=")) => {
+            _ if is_part(first) && (text[..at].ends_with('.') || after.trim_start().starts_with(":=")) => {
                 Word::Part(word)
             }
             _ if word == "MOD" => Word::Operator(word),
             // A word of the language can stand in front of a parenthesis, too, with a blank.
-            _ if is_part(first) && behind.starts_with('(') => Word::Called(word),
+            _ if is_part(first) && after.starts_with('(') => Word::Called(word),
             _ if is_part(first) => Word::Name(word),
             '+' | '*' | '/' => Word::Operator(word),
             '-' if value => Word::Operator(word),

@@ -29,7 +29,7 @@ fn is_the_same(chart: &str) {
 
 /// A search that has made as many evolutions as the bound says has come back to the step that is active alone: nothing is tried and taken back.
 #[test]
-fn a_search_that_goes_on_for_ever_is_stopped_behind_an_evolution() {
+fn a_search_that_goes_on_for_ever_is_stopped_after_an_evolution() {
     let stopped = text(WASH, &[]);
     let end =
         "      break\n    evolutions = evolutions + 1\n    if evolutions == 20:\n      stable = false\n      break\n";

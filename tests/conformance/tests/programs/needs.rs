@@ -106,13 +106,13 @@ fn a_value_waits_for_the_end_of_the_round_where_somebody_could_see_the_differenc
     let nothing = Vec::new;
     let left = || vec![Statement::If(Expr::Place(asked), vec![Statement::Break], Vec::new())];
     let used = || vec![Statement::Set(seen, Expr::Place(next))];
-    for (between, behind, set) in [(nothing(), nothing(), true), (left(), nothing(), false), (nothing(), used(), false)]
+    for (between, after, set) in [(nothing(), nothing(), true), (left(), nothing(), false), (nothing(), used(), false)]
     {
         let change = vec![Statement::Set(next, on.clone())];
         let front =
             vec![Statement::Set(next, Expr::Place(value)), Statement::If(Expr::Place(asked), change, Vec::new())];
         let body = [front, between, vec![Statement::Set(value, Expr::Place(next)), Statement::Break]].concat();
-        program.cycle = [vec![Statement::Loop { rounds: 2, body }], behind].concat();
+        program.cycle = [vec![Statement::Loop { rounds: 2, body }], after].concat();
         optimise(&mut program, &[Pass::Stays]);
         let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
         let waits = body.iter().any(|one| matches!(one, Statement::Set(place, Expr::Place(_)) if *place == value));

@@ -138,7 +138,7 @@ fn partial_grafcets_look_at_each_other() {
     }
 }
 
-/// Joins that look into an enclosing step see what was active there before the evolution that leaves it: a state that nothing can meet behind it.
+/// Joins that look into an enclosing step see what was active there before the evolution that leaves it: a state that nothing can meet after it.
 #[test]
 fn joins_look_into_what_is_left_beside_them() {
     let model = read(

@@ -42,7 +42,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
     before.tell(&mut cycle);
     if let Some(region) = head {
-        before.begin_behind(program, &mut cycle, region);
+        before.begin_after(program, &mut cycle, region);
     }
     let copies = before.regions.iter().map(|region| Statement::Set(region.before, Expr::Place(region.state)));
     program.cycle = copies.chain(cycle).collect();
@@ -109,7 +109,7 @@ impl Before {
         };
         let elsewhere = program.cycle.iter().enumerate().any(|(other, one)| other != at && outside(one));
         let mut begun = false;
-        let asked = asks_behind(&program.cycle[at..=at], region.since, &mut begun);
+        let asked = asks_after(&program.cycle[at..=at], region.since, &mut begun);
         (!elsewhere && !asked).then_some(number)
     }
 
@@ -168,7 +168,7 @@ impl Before {
     }
 
     /// The time of a region begins after the match on its state, where that differs then.
-    fn begin_behind<'m>(&self, program: &mut Program<'m>, cycle: &mut Vec<Statement<'m>>, number: usize) {
+    fn begin_after<'m>(&self, program: &mut Program<'m>, cycle: &mut Vec<Statement<'m>>, number: usize) {
         let region = &self.regions[number];
         let is_head = |one: &Statement<'_>| matches!(one, Statement::Match(place, ..) if *place == region.state);
         let Some(at) = cycle.iter().position(is_head) else { return };
@@ -271,7 +271,7 @@ fn outlasted(program: &Program<'_>, state: PlaceId, passed: PlaceId) -> Vec<Step
 }
 
 /// Whether some way asks for a time after its beginning.
-fn asks_behind(statements: &[Statement<'_>], since: PlaceId, begun: &mut bool) -> bool {
+fn asks_after(statements: &[Statement<'_>], since: PlaceId, begun: &mut bool) -> bool {
     let mut asks = false;
     for statement in statements {
         let mut own = |asks_itself: bool, blocks: &[&Vec<Statement<'_>>]| {
@@ -279,7 +279,7 @@ fn asks_behind(statements: &[Statement<'_>], since: PlaceId, begun: &mut bool) -
             let before = *begun;
             for block in blocks {
                 let mut within = before;
-                asks |= asks_behind(block, since, &mut within);
+                asks |= asks_after(block, since, &mut within);
                 *begun |= within;
             }
         };

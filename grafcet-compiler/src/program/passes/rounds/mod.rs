@@ -69,7 +69,7 @@ struct Cycle<'m> {
     turn: Vec<Statement<'m>>,
     /// What leaves the loop, and what is done otherwise.
     end: Vec<Statement<'m>>,
-    behind: Vec<Statement<'m>>,
+    after: Vec<Statement<'m>>,
     free: Free,
 }
 
@@ -83,14 +83,14 @@ impl<'m> Cycle<'m> {
         }
         let mut before = opened(&program.cycle);
         let at = before.iter().position(|statement| matches!(statement, Statement::Loop { .. }))?;
-        let mut behind = before.split_off(at + 1);
+        let mut after = before.split_off(at + 1);
         let Some(Statement::Loop { rounds, body }) = before.pop() else { return None };
         let touches = |list: &[Statement<'m>]| {
             let effects = Effects::of_all(list);
             effects.leaves || states.iter().any(|state| effects.writes.contains(state))
         };
         let loops = |list: &[Statement<'m>]| list.iter().any(|one| matches!(one, Statement::Loop { .. }));
-        if touches(&before) || touches(&behind) || loops(&behind) {
+        if touches(&before) || touches(&after) || loops(&after) {
             return None;
         }
         let mut head = opened(&body);
@@ -126,9 +126,9 @@ impl<'m> Cycle<'m> {
         }
         // No region has moved where the loop was left.
         let rest = copies.iter().map(|(was, state)| Statement::Set(*was, Expr::Place(*state)));
-        behind.splice(0..0, rest);
+        after.splice(0..0, rest);
         let goes = (0..GOES * states.len()).map(|_| local(places, "goes")).collect();
-        Some(Self { before, rounds, turn, end, behind, free: Free { moves, goes } })
+        Some(Self { before, rounds, turn, end, after, free: Free { moves, goes } })
     }
 
     fn cycle(&self, program: &Program<'m>) -> Option<(Vec<Statement<'m>>, Vec<Meeting>)> {
@@ -147,13 +147,13 @@ impl<'m> Cycle<'m> {
         }
         // Taken for granted, and taken back where a way leads elsewhere.
         let mut full: Vec<bool> = begin.iter().map(Option::is_some).collect();
-        let (mut body, behind, meetings) = loop {
+        let (mut body, after, meetings) = loop {
             let mut env = env.clone();
             let mut last = Several::over(program, last.read_after.clone())?;
             last.full.clone_from(&full);
             last.any_situation(&mut env);
-            let behind = last.spec(&self.behind, &env);
-            let mut several = Several::over(program, self.read_after_turn(&last.read_after, &behind))?;
+            let after = last.spec(&self.after, &env);
+            let mut several = Several::over(program, self.read_after_turn(&last.read_after, &after))?;
             several.full.clone_from(&full);
             // A situation that is asked for by hand is known by pairs of steps alone.
             let follows = program.forced.is_none();
@@ -176,20 +176,20 @@ impl<'m> Cycle<'m> {
                 }
             }
             if !again {
-                break (turn, behind, several.meetings);
+                break (turn, after, several.meetings);
             }
         };
         body.extend(self.end.iter().cloned());
         let mut cycle = self.before.clone();
         cycle.push(Statement::Loop { rounds: self.rounds, body });
-        cycle.extend(behind);
+        cycle.extend(after);
         Some((cycle, meetings))
     }
 
     /// What is read after the turn.
-    fn read_after_turn(&self, after: &Places, behind: &[Statement<'m>]) -> Places {
-        let mut live = Live::after(after);
-        live.sweep(&mut behind.to_vec());
+    fn read_after_turn(&self, read: &Places, after: &[Statement<'m>]) -> Places {
+        let mut live = Live::after(read);
+        live.sweep(&mut after.to_vec());
         let left = live.now.clone();
         let mut body = [&self.turn[..], &self.end].concat();
         live.rounds(&mut body);
@@ -225,7 +225,7 @@ fn takes_back(statement: &Statement<'_>, copies: &[(PlaceId, PlaceId)]) -> bool 
     copies.iter().all(|(was, state)| leaves_with(statement, *state, *was))
 }
 
-/// Whether it leaves the loop with the situation that it has come to, as that behind which nothing moves.
+/// Whether it leaves the loop with the situation that it has come to, as that after which nothing moves.
 fn stops(statement: &Statement<'_>, copies: &[(PlaceId, PlaceId)]) -> bool {
     copies.iter().all(|(was, state)| leaves_with(statement, *was, *state))
 }

@@ -107,9 +107,9 @@ impl<'m> Several<'_, 'm> {
         for (_, body) in &mut arms {
             bodies.push(body);
         }
-        let behind = share::ends(&mut bodies, &may);
+        let after = share::ends(&mut bodies, &may);
         let mut all = vec![Statement::Match(state, merged(arms), rest)];
-        all.extend(behind);
+        all.extend(after);
         Some(all)
     }
 
@@ -214,7 +214,7 @@ impl<'m> Several<'_, 'm> {
     fn asked_first(&self, part: Part<'m>, at: usize, off: &[PlaceId], env: &Env) -> Option<Vec<Statement<'m>>> {
         let mut wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;
-        let behind = list.split_off(at);
+        let after = list.split_off(at);
         let mut in_front = vec![false; list.len()];
         for (index, statement) in list.iter().enumerate().rev() {
             let effects = Effects::of(statement);
@@ -230,10 +230,10 @@ impl<'m> Several<'_, 'm> {
         let (before, mut rest) = (of(true), of(false));
         // What stays after must not be what stands in front now.
         let (front, back) = (Effects::of_all(&before), Effects::of_all(&rest));
-        let swaps = front.may_swap(&back) && behind.first().is_some_and(|one| Effects::of(one).may_swap(&back));
-        let Some(Statement::Set(place, condition)) = behind.first().filter(|_| swaps) else { return None };
+        let swaps = front.may_swap(&back) && after.first().is_some_and(|one| Effects::of(one).may_swap(&back));
+        let Some(Statement::Set(place, condition)) = after.first().filter(|_| swaps) else { return None };
         let (place, condition) = (*place, condition.clone());
-        rest.extend(behind.into_iter().skip(1));
+        rest.extend(after.into_iter().skip(1));
         let index = Index::whole(self.places.len(), 0, &self.points[0]);
         let mut engine = self.engine(&[], &index, 0, env);
         let mut body = Vec::new();
@@ -266,13 +266,13 @@ impl<'m> Several<'_, 'm> {
         }
         let (Some(mut otherwise), Some(mut then)) = (ways.pop(), ways.pop()) else { return None };
         let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_));
-        let behind = share::ends(&mut [&mut then, &mut otherwise], &may);
+        let after = share::ends(&mut [&mut then, &mut otherwise], &may);
         if then.is_empty() {
             body.push(Statement::If(not(condition), otherwise, then));
         } else {
             body.push(Statement::If(condition, then, otherwise));
         }
-        body.extend(behind);
+        body.extend(after);
         Some(body)
     }
 

@@ -184,7 +184,7 @@ impl<'p, 'm> Several<'p, 'm> {
         let mut cycle = hoist::out_of(self.places, head, Some(&mut start), &mut others, &Set::new());
         rest = others.pop()?.1;
         let may = |statement: &Statement<'m>| !matches!(statement, Statement::Mark(_)) && !writes_to(statement, head);
-        let behind = share::ends(&mut [&mut start, &mut rest], &may);
+        let after = share::ends(&mut [&mut start, &mut rest], &may);
         let starting = (vec![Value::Start(begin)], start);
         cycle.push(match &mut rest[..] {
             [Statement::Match(place, arms, otherwise)] if *place == head => {
@@ -193,7 +193,7 @@ impl<'p, 'm> Several<'p, 'm> {
             }
             _ => Statement::Match(head, vec![starting], rest),
         });
-        cycle.extend(behind);
+        cycle.extend(after);
         Some((head, cycle))
     }
 

@@ -414,7 +414,7 @@ fn placed<'m>(
         kept.insert(one.truth);
     }
     let mut sorted = Sorted { before: Vec::new(), clearings, told, after: Vec::new() };
-    let (mut in_front, mut behind) = (Effects::default(), Effects::default());
+    let (mut in_front, mut after) = (Effects::default(), Effects::default());
     for (at, statement) in list.iter().enumerate() {
         if is_evolution(at) {
             in_front.add(statement);
@@ -424,9 +424,9 @@ fn placed<'m>(
             continue;
         }
         if swaps[at] && effects[at].writes.is_disjoint(&kept) {
-            behind.add(statement);
+            after.add(statement);
             sorted.after.push(statement.clone());
-        } else if effects[at].may_swap(&in_front) && effects[at].may_swap(&behind) {
+        } else if effects[at].may_swap(&in_front) && effects[at].may_swap(&after) {
             sorted.before.push(statement.clone());
         } else {
             return None;
