@@ -22,7 +22,7 @@ pub(crate) fn run(charts: &Charts, mut check: impl FnMut() -> Result<Outcome, Fa
     let mut watcher = notify::recommended_watcher(sender).map_err(cannot)?;
     // What changes during the first check counts.
     for folder in find::folders(charts)? {
-        let mode = if folder.with_all_below { RecursiveMode::Recursive } else { RecursiveMode::NonRecursive };
+        let mode = if folder.is_recursive { RecursiveMode::Recursive } else { RecursiveMode::NonRecursive };
         watcher.watch(&folder.path, mode).map_err(cannot)?;
     }
     loop {

@@ -68,18 +68,18 @@ fn key(name: &Ident) -> String {
 
 /// Walks through all that is in an expression.
 pub(crate) fn inside(visitor: &mut dyn Visit, expr: &mut Expr) {
-    visit_mut::visit_expr_mut(&mut Walk(visitor), expr);
+    visit_mut::visit_expr_mut(&mut Shower(visitor), expr);
 }
 
 /// Walks through a block.
 pub(crate) fn block(visitor: &mut dyn Visit, block: &mut Block) {
-    Walk(visitor).visit_block_mut(block);
+    Shower(visitor).visit_block_mut(block);
 }
 
 /// Whether a pattern binds the name, or may do so by a macro.
 pub(crate) fn binds(pattern: &Pat, name: &Ident) -> bool {
     let mut bound = Bound::default();
-    Walk(&mut bound).visit_pat_mut(&mut pattern.clone());
+    Shower(&mut bound).visit_pat_mut(&mut pattern.clone());
     bound.calls || bound.names.contains(name)
 }
 
@@ -102,9 +102,10 @@ impl Visit for Bound {
     }
 }
 
-struct Walk<'v>(&'v mut dyn Visit);
+/// Shows all that `syn` visits to a visitor of ours.
+struct Shower<'v>(&'v mut dyn Visit);
 
-impl Walk<'_> {
+impl Shower<'_> {
     /// Walks through what is a scope of its own.
     fn scope(&mut self, walk: impl FnOnce(&mut Self)) {
         self.0.locals().enter();
@@ -113,7 +114,7 @@ impl Walk<'_> {
     }
 }
 
-impl VisitMut for Walk<'_> {
+impl VisitMut for Shower<'_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         self.0.expr(expr);
     }

@@ -1,7 +1,7 @@
 //! What each thing looks like: its size, and its shapes once it has a place.
 
 use crate::compared::Change;
-use crate::shape::{Drawing, Frame, Heading, Place, Shape, Thing};
+use crate::shape::{Drawing, Frame, Heading, Shape, Site, Thing};
 use crate::wrap::width;
 
 /// The room a thing takes around its middle, in squares.
@@ -123,7 +123,7 @@ impl Figure {
                     let Extent { left, right, height } = self.extent();
                     to.shapes.push(Shape::Changed { at: (x - left, y), size: (left + right, height + 1), change });
                 }
-                to.places.push(Place { of: Thing::Transition(*id), at: (x - 2, y), size: (5, 1) });
+                to.sites.push(Site { of: Thing::Transition(*id), at: (x - 2, y), size: (5, 1) });
                 to.shapes.push(Shape::Bar { at: (x, y) });
                 to.text((x - 3 - width(name), y), name);
                 for (row, line) in (y..).zip(lines) {
@@ -184,7 +184,7 @@ impl Step {
 
     fn draw(&self, x: i32, y: i32, to: &mut Drawing) {
         let (left, top) = (x - self.width() / 2, y + self.top());
-        to.places.push(Place { of: self.of, at: (left, top), size: (self.width(), 3) });
+        to.sites.push(Site { of: self.of, at: (left, top), size: (self.width(), 3) });
         if let Some(change) = self.change {
             to.shapes.push(Shape::Changed { at: (left, top), size: (self.width(), 3), change });
         }

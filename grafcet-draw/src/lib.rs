@@ -32,7 +32,7 @@ use grafcet_core::description::Description;
 
 pub use compared::{Change, Difference, Part};
 pub use mermaid::mermaid;
-pub use shape::{Drawing, Frame, Heading, Place, Shape, Thing};
+pub use shape::{Drawing, Frame, Heading, Shape, Site, Thing};
 use sorted::List;
 use wording::{Density, Wording};
 

@@ -142,8 +142,8 @@ fn aligned(graph: &Graph) -> Vec<Option<usize>> {
                 1 => 2,
                 _ => 1,
             };
-            let apart = usize::from(passing > 0 && sequence.is_none());
-            (sequence != Some(0), apart, passing, branches, places[*upper], places[*lower])
+            let other_sequence = usize::from(passing > 0 && sequence.is_none());
+            (sequence != Some(0), other_sequence, passing, branches, places[*upper], places[*lower])
         });
         let mut taken: Vec<(usize, usize)> = Vec::new();
         for (upper, lower) in hops {

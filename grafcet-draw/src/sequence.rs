@@ -37,9 +37,9 @@ impl Sequence {
 
 /// The sequences of a net in which is known what leads down; `layers` are those of its nodes.
 pub(crate) fn sequence(search: &Search<'_>, layers: &[usize]) -> Sequence {
-    let ways = Ways::of(search, layers);
+    let lengths = Lengths::of(search, layers);
     let count = search.out.len();
-    let main = (0..count).map(|node| ways.main(node)).list();
+    let main = (0..count).map(|node| lengths.main(node)).list();
     let mut sequence = Sequence { main, down: Vec::new(), on: Vec::new() };
     let mut starts = (0..count).list();
     sort_by_key(&mut starts, |node| search.node_key[*node]);
@@ -59,20 +59,20 @@ pub(crate) fn sequence(search: &Search<'_>, layers: &[usize]) -> Sequence {
 }
 
 /// How many steps are on the longest way after each transition.
-struct Ways<'s> {
+struct Lengths<'s> {
     search: &'s Search<'s>,
     /// Without what follows steps that are reached from everywhere.
     own: Vec<usize>,
     long: Vec<usize>,
 }
 
-impl<'s> Ways<'s> {
+impl<'s> Lengths<'s> {
     fn of(search: &'s Search<'s>, layers: &[usize]) -> Self {
         let links = search.sources.len();
         let mut order = (0..search.out.len()).list();
         sort_by_key(&mut order, |node| layers[*node]);
         let aside = aside(search, &order);
-        let mut ways = Self { search, own: vec![0; links], long: vec![0; links] };
+        let mut lengths = Self { search, own: vec![0; links], long: vec![0; links] };
         let mut before = vec![Vec::new(); search.out.len()];
         for (link, node) in
             search.forward.iter().enumerate().flat_map(|(link, nodes)| nodes.iter().map(move |n| (link, n)))
@@ -81,15 +81,15 @@ impl<'s> Ways<'s> {
         }
         for node in order.into_iter().rev() {
             let most = |of: &[usize]| search.out[node].iter().map(|link| of[*link]).max().unwrap_or(0) + 1;
-            let (own, long) = (most(&ways.own), most(&ways.long));
+            let (own, long) = (most(&lengths.own), most(&lengths.long));
             for link in &before[node] {
-                ways.long[*link] = ways.long[*link].max(long);
+                lengths.long[*link] = lengths.long[*link].max(long);
                 if !aside[node] {
-                    ways.own[*link] = ways.own[*link].max(own);
+                    lengths.own[*link] = lengths.own[*link].max(own);
                 }
             }
         }
-        ways
+        lengths
     }
 
     /// The main branch after a node: the longest; then one that begins anew; the first of those that are equal.
@@ -116,8 +116,8 @@ fn aside(search: &Search<'_>, order: &[usize]) -> Vec<bool> {
         // How many are on the longest way to each, itself included.
         let mut most = vec![1; nodes.len()];
         for (upper, node) in nodes.iter().enumerate().filter(|_| nodes.len() >= MANY) {
-            let below = below(search, *node);
-            for (lower, _) in nodes.iter().enumerate().skip(upper + 1).filter(|(_, lower)| below[**lower]) {
+            let reached = reached(search, *node);
+            for (lower, _) in nodes.iter().enumerate().skip(upper + 1).filter(|(_, lower)| reached[**lower]) {
                 most[lower] = most[lower].max(most[upper] + 1);
             }
         }
@@ -127,15 +127,15 @@ fn aside(search: &Search<'_>, order: &[usize]) -> Vec<bool> {
 }
 
 /// What a node leads down to.
-fn below(search: &Search<'_>, node: usize) -> Vec<bool> {
-    let mut below = vec![false; search.out.len()];
+fn reached(search: &Search<'_>, node: usize) -> Vec<bool> {
+    let mut reached = vec![false; search.out.len()];
     let mut next = vec![node];
     while let Some(node) = next.pop() {
         for lower in search.out[node].iter().flat_map(|link| &search.forward[*link]) {
-            if !std::mem::replace(&mut below[*lower], true) {
+            if !std::mem::replace(&mut reached[*lower], true) {
                 next.push(*lower);
             }
         }
     }
-    below
+    reached
 }

@@ -14,12 +14,12 @@ pub struct Drawing {
     /// In the order of drawing.
     pub shapes: Vec<Shape>,
     /// Where steps, macro-steps and transitions stand, for who puts marks upon them.
-    pub places: Vec<Place>,
+    pub sites: Vec<Site>,
 }
 
 /// Where something of the chart stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Place {
+pub struct Site {
     /// What it is.
     pub of: Thing,
     /// The upper left square.
@@ -163,8 +163,8 @@ impl Drawing {
             shape
         });
         self.shapes.extend(moved);
-        for place in other.places {
-            self.places.push(Place { at: (place.at.0 + dx, place.at.1 + dy), ..place });
+        for site in other.sites {
+            self.sites.push(Site { at: (site.at.0 + dx, site.at.1 + dy), ..site });
         }
         self.width = self.width.max(other.width + dx);
         self.height = self.height.max(other.height + dy);

@@ -34,11 +34,11 @@ pub(crate) fn write(name: &str, drawing: &Drawing, style: Style) -> String {
 /// For a page that moves marks.
 pub(crate) fn live(chart: &Description<'_>, drawing: &Drawing) -> String {
     let mut marks = String::new();
-    for place in &drawing.places {
-        let (x, y) = middle(place.at);
-        let (w, h) = ((place.size.0 - 1) * SQUARE.0, (place.size.1 - 1) * SQUARE.1);
+    for site in &drawing.sites {
+        let (x, y) = middle(site.at);
+        let (w, h) = ((site.size.0 - 1) * SQUARE.0, (site.size.1 - 1) * SQUARE.1);
         // Writing to a string cannot fail.
-        let _ = match place.of {
+        let _ = match site.of {
             Thing::Transition(id) => {
                 let (x, y, w) = (x - 2, y - 6, w + 4);
                 write!(marks, "<rect data-transition=\"{id}\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"12\"/>")

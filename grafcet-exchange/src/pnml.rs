@@ -53,10 +53,10 @@ fn refused(model: &Model) -> Vec<Refused> {
 fn branches(model: &Model) -> Vec<Refused> {
     let facts = Facts::of(model);
     let logic = Logic::assuming(model, &facts.never);
-    let apart = facts.exclusive(model);
+    let known = facts.exclusive(model);
     let overlapping = model.steps.iter().filter(|(id, _)| {
         let all = &model.leaving[id.index()];
-        !apart[id.index()] && !exclusive(model, &logic, all)
+        !known[id.index()] && !exclusive(model, &logic, all)
     });
     let refuse = |(_, step): (StepId, &Step)| {
         let message = format!(

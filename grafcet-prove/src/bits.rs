@@ -105,7 +105,7 @@ pub(crate) fn mul(aig: &mut Aig, a: &[Lit], b: &[Lit]) -> Bits {
     result
 }
 
-pub(crate) fn below(aig: &mut Aig, a: &[Lit], b: &[Lit]) -> Lit {
+pub(crate) fn less(aig: &mut Aig, a: &[Lit], b: &[Lit]) -> Lit {
     sign(&sub(aig, a, b))
 }
 

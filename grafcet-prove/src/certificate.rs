@@ -8,7 +8,7 @@ use crate::circuit::{Circuit, Condition};
 use crate::limit::{Limit, Over};
 use crate::sat::{Sat, Term};
 use crate::task::{Invariant, Task, entry};
-use crate::ways::{self, Ways};
+use crate::ways::{self, Leads};
 
 /// What is wrong with a proof; none if it is right.
 ///
@@ -166,7 +166,7 @@ fn after_cycle(sat: &mut Sat, circuit: &Circuit, wires: &[Lit], nodes: &[Term]) 
 pub fn fault_of_ways(
     circuit: &Circuit,
     (known, may): (Lit, Lit),
-    ways: &Ways,
+    ways: &Leads,
     limit: &Limit,
 ) -> Result<Option<String>, Over> {
     let mut sat = Sat::new(limit);

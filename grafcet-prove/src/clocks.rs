@@ -3,7 +3,7 @@
 //!
 //! Sentences of a few kinds are candidates, each at the beginning of a cycle: what a clock counts is on or off in a step, or where something
 //! else is; one clock is no more than another there. What the others do not make certain of the next cycle goes, until nothing does (Houdini).
-//! What is left always holds, and is checked like any proof. How far clocks are apart by more than nothing, `apart` finds out.
+//! What is left always holds, and is checked like any proof. How far clocks are apart by more than nothing, `differences` finds out.
 
 use grafcet_compiler::model::{Id, StepId};
 use grafcet_compiler::program::{Program, Role, Type};
@@ -90,11 +90,11 @@ struct Candidate {
 }
 
 /// Where something may be so.
-struct Place {
+struct Situation {
     said: Said<Lit>,
-    /// The numbers of larger places.
+    /// The numbers of larger ones.
     inside: Vec<usize>,
-    /// The number of the candidate that there is no such place.
+    /// The number of the candidate that there is none.
     never: Option<usize>,
 }
 
@@ -203,8 +203,8 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
         for (id, clock) in self.steps_with_clocks() {
             let Some((_, step)) = steps.iter().find(|(step, _)| *step == id.index()) else { continue };
             for limit in limits(self.program.model, id) {
-                let below = self.below(&clock, limit);
-                self.implies(step, &below);
+                let less = self.less(&clock, limit);
+                self.implies(step, &less);
             }
         }
     }
@@ -219,9 +219,9 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
         all
     }
 
-    fn below(&mut self, clock: &Said<Bits>, limit: u32) -> Said<Lit> {
+    fn less(&mut self, clock: &Said<Bits>, limit: u32) -> Said<Lit> {
         let (aig, number) = (&mut self.circuit.aig, bits::constant(i128::from(limit)));
-        let (now, next) = (bits::below(aig, &clock.now, &number), bits::below(aig, &clock.next, &number));
+        let (now, next) = (bits::less(aig, &clock.now, &number), bits::less(aig, &clock.next, &number));
         Said { text: format!("{} < {limit} ticks", clock.text), now, next }
     }
 
@@ -235,7 +235,7 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
             for other in others.chain([&zero]) {
                 let aig = &mut self.circuit.aig;
                 let text = format!("{} <= {}", one.text, other.text);
-                let (now, next) = (!bits::below(aig, &other.now, &one.now), !bits::below(aig, &other.next, &one.next));
+                let (now, next) = (!bits::less(aig, &other.now, &one.now), !bits::less(aig, &other.next, &one.next));
                 orders.push(Said { text, now, next });
             }
         }
@@ -253,13 +253,13 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
     }
 
     /// Everywhere, in a step, where something is on, and in both.
-    fn places(&mut self) -> Vec<Place> {
+    fn places(&mut self) -> Vec<Situation> {
         let everywhere = Said { text: "always".to_owned(), now: Lit::TRUE, next: Lit::TRUE };
-        let mut all = vec![Place { said: everywhere, inside: Vec::new(), never: None }];
+        let mut all = vec![Situation { said: everywhere, inside: Vec::new(), never: None }];
         let signals: Vec<Said<Lit>> = self.signals.iter().flat_map(|signal| [signal.clone(), not(signal)]).collect();
         let steps: Vec<Said<Lit>> = self.steps.iter().map(|(_, step)| step.clone()).collect();
         for said in signals.iter().chain(&steps) {
-            all.push(Place { said: said.clone(), inside: vec![0], never: None });
+            all.push(Situation { said: said.clone(), inside: vec![0], never: None });
         }
         for (index, step) in steps.iter().enumerate() {
             for (number, signal) in signals.iter().enumerate() {
@@ -267,7 +267,11 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
                 let (now, next) = (aig.and(step.now, signal.now), aig.and(step.next, signal.next));
                 let said = Said { text: format!("{} && {}", step.text, signal.text), now, next };
                 let never = self.implies(step, &not(signal));
-                all.push(Place { said, inside: vec![0, 1 + number, 1 + signals.len() + index], never: Some(never) });
+                all.push(Situation {
+                    said,
+                    inside: vec![0, 1 + number, 1 + signals.len() + index],
+                    never: Some(never),
+                });
             }
         }
         all

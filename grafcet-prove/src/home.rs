@@ -20,7 +20,7 @@ use crate::simplest::simplest;
 use crate::steps::Steps;
 use crate::task::{Invariant, Task, Way, cone, entry};
 use crate::verdict::{Internal, Judged, OVER, Proof, Verdict, differs, invariant, judge};
-use crate::ways::{Search, Trust, Ways, inputs, may};
+use crate::ways::{Leads, Search, Trust, inputs, may};
 
 /// So many cubes for each target, and no more.
 const MOST: usize = 4_000;
@@ -108,7 +108,7 @@ fn chain(
 
 /// Whether there is always a way to a target from where it is reached in part.
 enum Nearer {
-    Always(Ways, Invariant),
+    Always(Leads, Invariant),
     /// None that is certain.
     NotAlways,
     Open,
@@ -121,7 +121,7 @@ fn nearer(
     (most, limit): (usize, &Limit),
 ) -> Result<Nearer, Internal> {
     let search = || Search::new((circuit, steps), target, may, Trust::Certain, limit);
-    let mut ways = Ways { target, leads: Vec::new() };
+    let mut ways = Leads { target, leads: Vec::new() };
     // First cycles in which what is waited for is over, and short ones; and first along states that are where the parts before it are at home.
     let patient = || search().patient();
     let short = [patient().and_then(Search::short), patient(), search().short()].into_iter().flatten();
@@ -156,7 +156,7 @@ fn nearer(
 }
 
 /// Where the target is reached, or a way to it is known.
-fn reached(circuit: &mut Circuit, ways: &Ways) -> Condition {
+fn reached(circuit: &mut Circuit, ways: &Leads) -> Condition {
     let mut any = ways.target;
     for lead in &ways.leads {
         let latches: Vec<_> =

@@ -182,14 +182,14 @@ fn wrong(aig: &mut Aig, relation: Relation, (waits, first): (Lit, Lit), timer: &
         Relation::Inactive => waits,
         Relation::Active => aig.and(!waits, !first),
         Relation::Later => first,
-        Relation::Below(limit) => !bits::below(aig, clock, &bits::constant(i128::from(limit))),
+        Relation::Below(limit) => !bits::less(aig, clock, &bits::constant(i128::from(limit))),
         Relation::Behind(offset) => {
             let most = bits::add(aig, clock, &bits::constant(i128::from(offset)));
-            let ahead = bits::below(aig, &most, timer);
+            let ahead = bits::less(aig, &most, timer);
             aig.and(waits, ahead)
         }
         Relation::Ahead => {
-            let behind = bits::below(aig, timer, clock);
+            let behind = bits::less(aig, timer, clock);
             aig.and(waits, behind)
         }
     }

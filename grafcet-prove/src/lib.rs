@@ -2,7 +2,6 @@
 #![allow(missing_docs, reason = "a name says what it holds; a doc is where that is not enough")]
 
 pub mod aig;
-mod apart;
 mod around;
 mod bits;
 mod bmc;
@@ -10,6 +9,7 @@ pub mod certificate;
 pub mod checker;
 pub mod circuit;
 mod clocks;
+mod differences;
 mod exclusions;
 pub mod export;
 mod goal;

@@ -141,7 +141,7 @@ fn times(program: &Program<'_>, circuit: &mut Circuit) -> Vec<Lit> {
         let aig = &mut circuit.aig;
         let highest = next.iter().fold(Lit::TRUE, |all, bit| aig.and(all, *bit));
         let (now, next) = (bits::unsigned(&now), bits::unsigned(&next));
-        let back = bits::below(aig, &next, &now);
+        let back = bits::less(aig, &next, &now);
         let same = bits::equal(aig, &next, &now);
         let passes = any(aig, &elapsed.bits);
         let stands = aig.and(same, passes);

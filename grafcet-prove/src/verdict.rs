@@ -4,11 +4,11 @@ use grafcet_compiler::model::Claim;
 use grafcet_compiler::program::Program;
 
 use crate::aig::Lit;
-use crate::apart;
 use crate::bmc;
 use crate::certificate;
 use crate::circuit::{Bad, Circuit, Deadline, Outside, Source, Timer};
 use crate::clocks;
+use crate::differences;
 use crate::goal::Goal;
 use crate::lemmas::{About, strengthened};
 use crate::limit::{Limit, Over};
@@ -16,7 +16,7 @@ use crate::pdr::{Answer, Pdr};
 use crate::replay::{Shown, Why};
 use crate::simplest::simplest;
 use crate::task::{Invariant, Task, Way};
-use crate::ways::Ways;
+use crate::ways::Leads;
 
 /// A proof that has been checked.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub struct Proof {
     /// What else it knows of clocks, in words.
     pub known: Vec<String>,
     /// Of a `home`: the ways back, from everywhere to the steps of one region, from there to those of the next one, too, and so on.
-    pub ways: Vec<Ways>,
+    pub ways: Vec<Leads>,
 }
 
 impl Proof {
@@ -174,7 +174,7 @@ fn with_sums(
         (Verdict::Undecided(why), known) if why == OVER && !limit.is_over() => known,
         (verdict, _) => return Ok(verdict),
     };
-    if let Ok(Some((with, said))) = apart::known(program, &known.circuit, bad.possible, limit) {
+    if let Ok(Some((with, said))) = differences::known(program, &known.circuit, bad.possible, limit) {
         known.circuit = with;
         known.said.extend(said);
     }

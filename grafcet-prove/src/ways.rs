@@ -34,13 +34,13 @@ pub struct Lead {
 
 /// Ways to a target.
 #[derive(Clone, Debug)]
-pub struct Ways {
+pub struct Leads {
     pub target: Condition,
     /// The nearer ones first.
     pub leads: Vec<Lead>,
 }
 
-impl Ways {
+impl Leads {
     /// So many cycles, at most, where they are gone as they are found.
     #[must_use]
     pub fn longest(&self) -> usize {

@@ -6,7 +6,7 @@ use grafcet_compiler::program::{Program, Role, Type};
 use crate::circuit::{Circuit, Field};
 use crate::lemmas::{About, Relation};
 use crate::task::{Invariant, entry};
-use crate::ways::Ways;
+use crate::ways::Leads;
 
 /// A field of more bits is not gone through value by value.
 const FEW_BITS: usize = 12;
@@ -45,8 +45,8 @@ pub fn lines(program: &Program<'_>, circuit: &Circuit, invariant: &Invariant) ->
 
 /// One line for each target on the way home: how far it is from where a chart can be.
 #[must_use]
-pub fn ways(all: &[Ways]) -> Vec<String> {
-    let line = |(index, ways): (usize, &Ways)| {
+pub fn ways(all: &[Leads]) -> Vec<String> {
+    let line = |(index, ways): (usize, &Leads)| {
         let (cycles, sets) = (ways.longest(), ways.leads.len());
         let which =
             if all.len() == 1 { String::new() } else { format!(" to place {} of {} on the way", index + 1, all.len()) };

@@ -12,21 +12,21 @@ impl Chart {
     #[must_use]
     pub fn outside(&self) -> Vec<Signal> {
         let model = self.model();
-        let mut walk = Walk { model, found: Vec::new() };
+        let mut search = SignalSearch { model, found: Vec::new() };
         for transition in model.transitions.values() {
             // What `modes;` makes of a condition asks what is written.
-            walk.tree(transition.own_condition(), &Kind::Bool);
-            walk.tree(&transition.condition.tree, &Kind::Bool);
-            transition.clearing.iter().for_each(|effect| walk.effect(effect));
+            search.tree(transition.own_condition(), &Kind::Bool);
+            search.tree(&transition.condition.tree, &Kind::Bool);
+            transition.clearing.iter().for_each(|effect| search.effect(effect));
         }
         for association in model.associations.values() {
             let conditions = association.condition.iter().chain(&association.event);
-            conditions.for_each(|condition| walk.tree(&condition.tree, &Kind::Bool));
-            walk.effect(&association.effect);
+            conditions.for_each(|condition| search.tree(&condition.tree, &Kind::Bool));
+            search.effect(&association.effect);
         }
         let sampled = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
-        sampled.for_each(|condition| walk.tree(&condition.tree, &Kind::Bool));
-        walk.found
+        sampled.for_each(|condition| search.tree(&condition.tree, &Kind::Bool));
+        search.found
     }
 
     /// The blocks of Rust that a simulation does not look into, as written: what they write, a [`Program`](crate::Program) has to tell.
@@ -44,12 +44,13 @@ impl Chart {
     }
 }
 
-struct Walk<'m> {
+/// Looks for what the program around has to tell.
+struct SignalSearch<'m> {
     model: &'m Model,
     found: Vec<Signal>,
 }
 
-impl Walk<'_> {
+impl SignalSearch<'_> {
     fn effect(&mut self, effect: &Effect) {
         match effect {
             Effect::Control(_) => {}

@@ -55,7 +55,7 @@ pub(crate) fn charts(options: &Charts) -> Result<Vec<Found>, Failure> {
 /// A folder in which files lie that may have charts.
 pub(crate) struct Folder {
     pub(crate) path: PathBuf,
-    pub(crate) with_all_below: bool,
+    pub(crate) is_recursive: bool,
 }
 
 /// Where the files lie that are meant: those that are named, or of a crate all that lie beside the first file of a target or below it; in the crate's
@@ -69,9 +69,9 @@ pub(crate) fn folders(options: &Charts) -> Result<Vec<Folder>, Failure> {
     for file in files {
         // A file that is named alone lies here.
         let path = file.parent().filter(|path| !path.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_path_buf();
-        let with_all_below = options.files.is_empty() && !path.join("Cargo.toml").is_file();
+        let is_recursive = options.files.is_empty() && !path.join("Cargo.toml").is_file();
         if folders.iter().all(|folder| folder.path != path) {
-            folders.push(Folder { path, with_all_below });
+            folders.push(Folder { path, is_recursive });
         }
     }
     Ok(folders)

@@ -79,8 +79,8 @@ fn every_chart_is_whole_on_its_pages() {
 
 fn each_is_on_one_page(all: &[Page], steps: usize, macros: usize, transitions: usize, what: &str) {
     let mut seen = BTreeMap::new();
-    for place in all.iter().flat_map(|page| &page.drawing.places) {
-        let key = match place.of {
+    for site in all.iter().flat_map(|page| &page.drawing.sites) {
+        let key = match site.of {
             Thing::Step(id) => (0, id),
             Thing::Macro(id) => (1, id),
             Thing::Transition(id) => (2, id),

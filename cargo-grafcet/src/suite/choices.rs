@@ -24,9 +24,9 @@ pub(crate) struct Asked {
 impl Asked {
     /// What a condition asks for, also by way of edges, delays, and what is assigned to what it reads.
     pub(crate) fn of(tree: &Tree, model: &Model, beside: &Beside<'_>) -> Self {
-        let mut walk = Walk { model, beside, asked: Self::default(), seen: BTreeSet::new() };
-        walk.tree(tree);
-        walk.asked
+        let mut asking = Asking { model, beside, asked: Self::default(), seen: BTreeSet::new() };
+        asking.tree(tree);
+        asking.asked
     }
 
     /// What counts as a transition clears: what its condition asks for, and what is computed then in the steps that it leads to, with
@@ -36,18 +36,18 @@ impl Asked {
         let entered = transition.targets.iter().flat_map(|step| &model.steps[*step].associations);
         let effects = entered.map(|id| &model.associations[*id].effect).chain(&transition.clearing);
         for effect in effects.filter(|effect| !matches!(effect, Effect::Control(_) | Effect::Call(..))) {
-            let mut walk = Walk { model, beside, asked: Self::default(), seen: BTreeSet::new() };
-            walk.effect(effect);
-            if walk.asked.signals.is_empty() {
+            let mut asking = Asking { model, beside, asked: Self::default(), seen: BTreeSet::new() };
+            asking.effect(effect);
+            if asking.asked.signals.is_empty() {
                 continue;
             }
             for condition in model.transitions.values().map(|one| &one.condition) {
                 let reads = |place: &Place| condition.reads.contains(&Read::Name((*place).into()));
                 if effect.writes().iter().any(reads) {
-                    walk.tree(&condition.tree);
+                    asking.tree(&condition.tree);
                 }
             }
-            asked.join(walk.asked);
+            asked.join(asking.asked);
         }
         asked
     }
@@ -130,14 +130,15 @@ impl Asked {
     }
 }
 
-struct Walk<'w> {
+/// Gathers what conditions and effects ask for.
+struct Asking<'w> {
     model: &'w Model,
     beside: &'w Beside<'w>,
     asked: Asked,
     seen: BTreeSet<Read>,
 }
 
-impl Walk<'_> {
+impl Asking<'_> {
     fn tree(&mut self, tree: &Tree) {
         match tree {
             Tree::Bool(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) => {}

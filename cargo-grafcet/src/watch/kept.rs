@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use serde_json::{Value as Json, json};
 
-use super::steer::{Asked, Way};
+use super::steer::{Asked, Controller};
 
 /// So much memory the moments of a source take at most, however many are to be kept.
 pub(crate) const MOST_BYTES: usize = 32 << 20;
@@ -16,7 +16,7 @@ pub(crate) struct Kept {
     /// What it is called on the page.
     pub(crate) label: String,
     /// The way back, where the tool was started with `--steer`.
-    pub(crate) way: Option<Way>,
+    pub(crate) way: Option<Controller>,
     most: usize,
     inner: Mutex<Inner>,
 }
@@ -77,7 +77,7 @@ const MANY: usize = 500;
 pub(crate) const FEW: usize = 50;
 
 impl Kept {
-    pub(crate) fn new(label: String, most: usize, way: Option<Way>) -> Self {
+    pub(crate) fn new(label: String, most: usize, way: Option<Controller>) -> Self {
         Self { label, way, most, inner: Mutex::default() }
     }
 

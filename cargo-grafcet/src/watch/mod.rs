@@ -30,7 +30,7 @@ use args::Watch;
 use kept::Kept;
 use place::{Place, Wanted};
 use server::Site;
-use steer::Way;
+use steer::Controller;
 use texts::Texts;
 
 pub(crate) fn run(options: &Watch) -> Result<Outcome, Failure> {
@@ -62,8 +62,11 @@ pub(crate) fn run(options: &Watch) -> Result<Outcome, Failure> {
         }
         let sources = options.sources.iter().zip(chosen).map(|(wanted, name)| {
             let texts = Texts::of(options.charts(), name, &found, &running);
-            let kept =
-                Arc::new(Kept::new(wanted.place.to_string(), options.keep as usize, options.steer.then(Way::default)));
+            let kept = Arc::new(Kept::new(
+                wanted.place.to_string(),
+                options.keep as usize,
+                options.steer.then(Controller::default),
+            ));
             source::begin(wanted.place.clone(), texts, Arc::clone(&kept));
             kept
         });

@@ -142,7 +142,7 @@ impl Words {
 
 /// The way to one controller.
 #[derive(Default)]
-pub(crate) struct Way {
+pub(crate) struct Controller {
     /// Apart from all else: while a line takes what is written to it, others look.
     line: Mutex<Option<Box<dyn Write + Send>>>,
     inner: Mutex<Inner>,
@@ -166,7 +166,7 @@ struct Sent {
     outcome: Option<Result<(), String>>,
 }
 
-impl Way {
+impl Controller {
     fn inner(&self) -> MutexGuard<'_, Inner> {
         // Nobody leaves it half written: there is nothing in here that panics.
         self.inner.lock().unwrap_or_else(PoisonError::into_inner)
@@ -286,7 +286,7 @@ mod tests {
     use serde_json::json;
 
     use super::super::tests::motor::{Motor, SOURCE};
-    use super::{Asked, Way, What, Words};
+    use super::{Asked, Controller, What, Words};
 
     /// A line that keeps what is written to it, or breaks.
     #[derive(Clone, Default)]
@@ -316,9 +316,9 @@ mod tests {
         }
     }
 
-    fn way(line: &Line) -> Way {
+    fn way(line: &Line) -> Controller {
         let (_, tokens) = calls(&SOURCE.parse().expect("Rust")).remove(0);
-        let way = Way::default();
+        let way = Controller::default();
         way.chart(Words::of(&Chart::of_tokens(tokens).expect("a chart")));
         way.open(Some(Box::new(line.clone())));
         way.seen(70);

@@ -73,7 +73,7 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
         0..=128 => (quote!(#p::u8), |n| Literal::u8_suffixed(u8::try_from(n).unwrap_or(u8::MAX))),
         _ => (quote!(#p::u16), |n| Literal::u16_suffixed(u16::try_from(n).unwrap_or(u16::MAX))),
     };
-    let (mark, below) = (literal(mark), literal(mark - 1));
+    let (mark, numbers) = (literal(mark), literal(mark - 1));
     let numbered = from_number(&state, variants, &literal);
     quote! {
         /// A state, and above it the mark of a search that did not become stable.
@@ -89,7 +89,7 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
             }
 
             const fn state(self) -> #state {
-                let number_ = self.0 & #below;
+                let number_ = self.0 & #numbers;
                 #numbered
             }
 
@@ -99,7 +99,7 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
             }
 
             const fn unmarked(self) -> Self {
-                Self(self.0 & #below)
+                Self(self.0 & #numbers)
             }
 
             const fn marked(self) -> Self {

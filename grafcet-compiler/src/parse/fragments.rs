@@ -35,9 +35,9 @@ pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
             out.push(parentheses.into());
         } else {
             // What did not touch makes no operator: `a < $t` with `<T>::MAX`.
-            apart(&mut out);
+            end_operator(&mut out);
             out.push_all(content);
-            apart(&mut out);
+            end_operator(&mut out);
         }
         after_fragment = true;
     }
@@ -45,7 +45,7 @@ pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
 }
 
 /// Makes the last token, if it is an operator's character, the last one of its operator.
-fn apart(tokens: &mut [TokenTree]) {
+fn end_operator(tokens: &mut [TokenTree]) {
     if let Some(TokenTree::Punct(last)) = tokens.last_mut() {
         if last.as_char() != '\'' {
             let mut alone = Punct::new(last.as_char(), Spacing::Alone);
@@ -164,15 +164,15 @@ impl Between<'_> {
                 matches!(self.after, [TokenTree::Group(next), ..] if next.delimiter() == Delimiter::Parenthesis)
             }
             Kind::Braces => self.begins_statement() && self.goes_on(),
-            Kind::Statement => (!self.begins_statement() || self.goes_on()) && !self.is_apart(),
-            Kind::Done => !self.begins_statement() && !self.is_apart(),
-            Kind::Loose => !self.is_apart(),
-            Kind::LooseBlock => self.begins_statement() || self.begins_arm() || !self.is_apart(),
+            Kind::Statement => (!self.begins_statement() || self.goes_on()) && !self.is_free_of_operators(),
+            Kind::Done => !self.begins_statement() && !self.is_free_of_operators(),
+            Kind::Loose => !self.is_free_of_operators(),
+            Kind::LooseBlock => self.begins_statement() || self.begins_arm() || !self.is_free_of_operators(),
         }
     }
 
     /// Whether no operator can stand on either side.
-    fn is_apart(&self) -> bool {
+    fn is_free_of_operators(&self) -> bool {
         let before = match self.before {
             [] => true,
             // Words in front of an operand; all others bind less than any operator.

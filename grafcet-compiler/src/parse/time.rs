@@ -81,7 +81,7 @@ pub(super) fn parse(input: &mut Input, literal: &Literal, sink: &mut Sink) -> Op
 fn nanos(text: &str) -> Result<u64, String> {
     let mut rest = text;
     let mut sum = 0_u64;
-    let mut below = u64::MAX;
+    let mut last = u64::MAX;
     while !rest.is_empty() {
         let (number, after) = split(rest, |c: char| c.is_ascii_digit() || c == '.' || c == '_');
         let (name, after) = split(after, |c: char| !c.is_ascii_digit());
@@ -93,10 +93,10 @@ fn nanos(text: &str) -> Result<u64, String> {
             let fault = if name.is_empty() { "its end has no unit".to_owned() } else { format!("`{name}` is no unit") };
             return Err(format!("`{text}` is no time: {fault}; the units are h, m, s, ms and us"));
         };
-        if unit >= below {
+        if unit >= last {
             return Err(format!("`{text}` is no time: write the larger unit first, and each unit once, as in `1h30m`"));
         }
-        below = unit;
+        last = unit;
         let part = scaled(number, unit).ok_or_else(|| format!("`{text}` is too long or too fine for a time"))?;
         sum = sum.checked_add(part).ok_or_else(|| format!("`{text}` is too long for a time"))?;
     }

@@ -82,8 +82,8 @@ pub(super) fn at_least<'m>(a: Expr<'m>, b: Expr<'m>) -> Expr<'m> {
     compare(Comparison::AtLeast, a, b)
 }
 
-pub(super) fn below<'m>(a: Expr<'m>, b: Expr<'m>) -> Expr<'m> {
-    compare(Comparison::Below, a, b)
+pub(super) fn less<'m>(a: Expr<'m>, b: Expr<'m>) -> Expr<'m> {
+    compare(Comparison::Less, a, b)
 }
 
 pub(super) fn differ<'m>(a: PlaceId, b: PlaceId) -> Expr<'m> {

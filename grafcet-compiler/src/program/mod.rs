@@ -354,7 +354,7 @@ pub enum Expr<'m> {
 pub enum Comparison {
     Equal,
     Differs,
-    Below,
+    Less,
     AtLeast,
 }
 

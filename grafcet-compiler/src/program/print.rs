@@ -260,7 +260,7 @@ impl Program<'_> {
                 let sign = match comparison {
                     Comparison::Equal => "==",
                     Comparison::Differs => "!=",
-                    Comparison::Below => "<",
+                    Comparison::Less => "<",
                     Comparison::AtLeast => ">=",
                 };
                 (two(a, sign, b, compared), binds::COMPARISON)

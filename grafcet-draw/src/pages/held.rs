@@ -33,9 +33,8 @@ fn rows(drawing: &Drawing) -> Vec<Span> {
             Shape::Arrow { at: (_, y), to: Heading::Down } => spans.push((*y, y + 1)),
             // The names of the steps that lead here, above their step.
             Shape::Arrow { at: (x, y), to: Heading::Left } => {
-                let step =
-                    |place: &&crate::Place| place.at.1 > *y && place.at.0 < *x && *x <= place.at.0 + place.size.0;
-                let below = drawing.places.iter().filter(step).map(|place| place.at.1).min();
+                let step = |site: &&crate::Site| site.at.1 > *y && site.at.0 < *x && *x <= site.at.0 + site.size.0;
+                let below = drawing.sites.iter().filter(step).map(|site| site.at.1).min();
                 spans.extend(below.map(|below| (*y, below)));
             }
             // From an action to its condition, or to the action below.
@@ -76,9 +75,9 @@ fn columns(drawing: &Drawing) -> Vec<Span> {
             Shape::Arrow { at: (x, _), to: Heading::Left } => spans.push((x - 1, x + 3)),
             // From a step to its actions.
             Shape::Line { from, to, .. } if from.1 == to.1 => {
-                let is_step = |place: &&crate::Place| !matches!(place.of, Thing::Transition(_));
-                let begins = |place: &crate::Place| (place.at.0 + place.size.0 - 1, place.at.1 + 1) == *from;
-                if drawing.places.iter().filter(is_step).any(begins) {
+                let is_step = |site: &&crate::Site| !matches!(site.of, Thing::Transition(_));
+                let begins = |site: &crate::Site| (site.at.0 + site.size.0 - 1, site.at.1 + 1) == *from;
+                if drawing.sites.iter().filter(is_step).any(begins) {
                     spans.push((from.0, to.0));
                 }
             }

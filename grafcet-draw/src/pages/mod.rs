@@ -143,9 +143,9 @@ fn connected(chart: &Description<'_>, papers: &[Paper]) -> Vec<Page> {
             Thing::Macro(id) => chart.macros.get(id).is_some_and(|step| step.name == name),
             Thing::Transition(_) => false,
         };
-        let mut found = (1..).zip(papers).flat_map(|(page, paper)| {
-            paper.all.drawing.places.iter().filter(|place| named(place.of)).map(move |_| page)
-        });
+        let mut found = (1..)
+            .zip(papers)
+            .flat_map(|(page, paper)| paper.all.drawing.sites.iter().filter(|site| named(site.of)).map(move |_| page));
         // Of two steps of one name nobody can say which is meant.
         found.next().filter(|_| found.next().is_none())
     };

@@ -123,8 +123,8 @@ impl Piece {
                 shape => rest.shapes.push(shape),
             }
         }
-        for place in self.drawing.places {
-            if axis.of(place.at) < at { first.drawing.places.push(place) } else { rest.places.push(place) }
+        for site in self.drawing.sites {
+            if axis.of(site.at) < at { first.drawing.sites.push(site) } else { rest.sites.push(site) }
         }
         for one in self.borders {
             border(one, axis, at, edge, &mut first, &mut second);

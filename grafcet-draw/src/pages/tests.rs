@@ -3,13 +3,13 @@
 use super::cuts::split;
 use super::piece::{Axis, Piece};
 use super::{Paper, Side};
-use crate::shape::{Drawing, Frame, Place, Shape, Thing};
+use crate::shape::{Drawing, Frame, Shape, Site, Thing};
 
 /// A step of five squares around `x`, with its frame from row `y` on.
 fn step(id: usize, (x, y): (i32, i32), to: &mut Drawing) {
     let kind = Frame::Step { initial: false, enclosing: false, active: false };
     to.shapes.push(Shape::Frame { at: (x - 2, y), size: (5, 3), kind });
-    to.places.push(Place { of: Thing::Step(id), at: (x - 2, y), size: (5, 3) });
+    to.sites.push(Site { of: Thing::Step(id), at: (x - 2, y), size: (5, 3) });
     to.centred((x, y + 1), "S");
 }
 
@@ -51,7 +51,7 @@ fn a_sequence_goes_on_from_a_transition_to_a_step_on_the_next_piece() {
     // In front of the frame of the third step, row 18, three rows would be too many after 17; two steps and the text of the second transition are
     // 16 rows, and three for the connector: it is cut after row 16.
     assert_eq!(first.drawing.height, 20);
-    assert_eq!((first.drawing.places.len(), second.drawing.places.len()), (2, 1));
+    assert_eq!((first.drawing.sites.len(), second.drawing.sites.len()), (2, 1));
     let ([below], [above]) = (&first.ends[..], &second.ends[..]) else { panic!("{pieces:?}") };
     assert_eq!((below.number, below.side, above.number, above.side), (1, Side::Bottom, 1, Side::Top));
     // The bar and its text are still above: two texts of each transition and one of each step.
@@ -72,7 +72,7 @@ fn a_sequence_goes_on_from_a_transition_to_a_step_on_the_next_piece() {
 fn a_page_is_rather_left_empty_than_cut_after_a_step() {
     // With three rows for the connector there is room for 13: for the second step, whose frame ends in row 11, but not for its transition.
     let pieces = pieces(sequence(3), (30, 16));
-    assert_eq!((pieces[0].drawing.places.len(), texts(&pieces[0].drawing)), (1, 3));
+    assert_eq!((pieces[0].drawing.sites.len(), texts(&pieces[0].drawing)), (1, 3));
 }
 
 fn texts(drawing: &Drawing) -> usize {
@@ -133,7 +133,7 @@ fn the_frame_around_a_net_has_no_connectors() {
     assert!(first.ends.is_empty() && second.ends.is_empty());
     // Top and two sides above, two sides and the bottom below.
     assert_eq!((first.borders.len(), second.borders.len()), (3, 3));
-    assert_eq!((first.drawing.places.len(), second.drawing.places.len()), (1, 1));
+    assert_eq!((first.drawing.sites.len(), second.drawing.sites.len()), (1, 1));
 }
 
 #[test]

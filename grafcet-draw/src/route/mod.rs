@@ -94,7 +94,7 @@ impl Net {
 }
 
 /// A way from an item to one below; its nets by number.
-struct Way {
+struct Connection {
     from: i32,
     port: i32,
     to: i32,
@@ -105,7 +105,7 @@ struct Way {
 /// All between two layers.
 pub(crate) struct Channel {
     nets: Vec<Net>,
-    ways: Vec<Way>,
+    ways: Vec<Connection>,
     /// The numbers of branches beside their lines: place and number; and their row, in which no line goes across.
     ranks: Vec<(i32, usize)>,
     rank_row: i32,
@@ -189,7 +189,7 @@ impl Channel {
                 let lowers = ports.iter().map(|(port, _)| *port).list();
                 self.nets.push(Net::new(vec![x[start]], lowers, double, Purpose::Spread));
             }
-            let ways = ports.iter().map(|(port, end)| Way {
+            let ways = ports.iter().map(|(port, end)| Connection {
                 from: x[start],
                 port: *port,
                 to: x[*end],

@@ -48,11 +48,11 @@ pub(super) fn places(model: &Model, chart: &Chart) -> Places {
     // The drawing shows an `any` once, and numbers what it shows.
     let drawn: Vec<usize> = model.drawn_transitions().map(|(id, _)| grafcet_compiler::model::Id::index(id)).collect();
     let layout = with_description(model, |description| grafcet_draw::layout(description, &()));
-    for place in layout.places {
+    for site in layout.sites {
         let at = |square: i32, unit: i32| MARGIN + square * unit;
-        let (x, y) = (at(place.at.0, SQUARE.0), at(place.at.1, SQUARE.1));
-        let (width, height) = (place.size.0 * SQUARE.0, place.size.1 * SQUARE.1);
-        match place.of {
+        let (x, y) = (at(site.at.0, SQUARE.0), at(site.at.1, SQUARE.1));
+        let (width, height) = (site.size.0 * SQUARE.0, site.size.1 * SQUARE.1);
+        match site.of {
             Thing::Step(number) => steps[number] = Some(Rect { x, y, width, height }),
             Thing::Transition(number) => {
                 let x = x + width / 2 - BAR.0 / 2;

@@ -95,8 +95,8 @@ fn meet(model: &Model, facts: &Facts<'_>, a: &Runs<'_>, b: &Runs<'_>) -> bool {
     }
     if one == other {
         let both = [a.association.qualifier, b.association.qualifier];
-        let apart = both.contains(&Qualifier::P1) && both.contains(&Qualifier::P0);
-        return !apart || leads(model, one, one);
+        let begins_and_ends = both.contains(&Qualifier::P1) && both.contains(&Qualifier::P0);
+        return !begins_and_ends || leads(model, one, one);
     }
     a.ends() && b.begins() && leads(model, one, other) || b.ends() && a.begins() && leads(model, other, one)
 }

@@ -56,7 +56,7 @@ impl Lowering<'_, '_> {
         }
         if let Some(longest) = self.program.model.longest_cycle {
             let elapsed = self.elapsed.clone();
-            let longer = bits::below(&mut self.aig, &bits::constant(i128::from(longest)), &elapsed);
+            let longer = bits::less(&mut self.aig, &bits::constant(i128::from(longest)), &elapsed);
             all = self.aig.and(all, !longer);
         }
         Ok(all)
@@ -138,7 +138,7 @@ impl Lowering<'_, '_> {
                     TimeRef::Var(id) => self.at(Role::Var(id), end)?,
                 };
                 let Sym::Ticks(whole) = whole else { return Err(Refused("a time that is none".to_owned())) };
-                let over = !bits::below(&mut self.aig, &passed, &whole);
+                let over = !bits::less(&mut self.aig, &passed, &whole);
                 return Ok(Sym::Bool(self.aig.and(active, over)));
             }
             Read::Blink(blink) => return Ok(Sym::Bool(self.blinks(blink, end)?)),

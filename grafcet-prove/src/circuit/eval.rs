@@ -29,8 +29,8 @@ impl<'m> Lowering<'_, 'm> {
                 Ok(match comparison {
                     Comparison::Equal => self.equal(&a, &b)?,
                     Comparison::Differs => !self.equal(&a, &b)?,
-                    Comparison::Below => self.below(&a, &b)?,
-                    Comparison::AtLeast => !self.below(&a, &b)?,
+                    Comparison::Less => self.less(&a, &b)?,
+                    Comparison::AtLeast => !self.less(&a, &b)?,
                 })
             }
             other => {
@@ -71,9 +71,9 @@ impl<'m> Lowering<'_, 'm> {
         })
     }
 
-    fn below(&mut self, a: &Sym, b: &Sym) -> Result<Lit, Refused> {
+    fn less(&mut self, a: &Sym, b: &Sym) -> Result<Lit, Refused> {
         match (a, b) {
-            (Sym::Int(a, _), Sym::Int(b, _)) | (Sym::Ticks(a), Sym::Ticks(b)) => Ok(bits::below(&mut self.aig, a, b)),
+            (Sym::Int(a, _), Sym::Int(b, _)) | (Sym::Ticks(a), Sym::Ticks(b)) => Ok(bits::less(&mut self.aig, a, b)),
             _ => Err(Refused("an order of other things than numbers and times".to_owned())),
         }
     }

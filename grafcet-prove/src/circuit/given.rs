@@ -70,7 +70,7 @@ impl Lowering<'_, '_> {
             Ty::Other(_) => {
                 let count = self.program.model.variants_of(name).map_or(0, |variants| variants.list.len());
                 let most = bits::constant(i128::try_from(count).unwrap_or(0));
-                let is_one = bits::below(&mut self.aig, &number, &most);
+                let is_one = bits::less(&mut self.aig, &number, &most);
                 self.constraint = self.aig.and(self.constraint, is_one);
                 Sym::Int(number, None)
             }

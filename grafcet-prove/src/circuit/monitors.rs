@@ -168,9 +168,9 @@ impl Lowering<'_, '_> {
         let now: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
         let (sum, most) = (bits::add(&mut self.aig, &bits::unsigned(&now), &self.elapsed), (1_i128 << width) - 1);
         let most = bits::constant(most);
-        let beyond = bits::below(&mut self.aig, &most, &sum);
+        let beyond = bits::less(&mut self.aig, &most, &sum);
         let passed = bits::mux(&mut self.aig, beyond, &most, &sum);
-        let late = !bits::below(&mut self.aig, &passed, &bits::constant(i128::from(ticks)));
+        let late = !bits::less(&mut self.aig, &passed, &bits::constant(i128::from(ticks)));
         let still = self.aig.and(waits.now, waits.next);
         let bad = self.aig.and(still, late);
         // It begins at the end of the cycle in which it is asked for.

@@ -112,7 +112,7 @@ impl Lowering<'_, '_> {
         let goes_on = self.aig.and(same, !self.memories.first);
         let held = bits::mux(&mut self.aig, goes_on, &passed, &bits::constant(0));
         let time = bits::mux(&mut self.aig, of, &on, &off);
-        let over = !bits::below(&mut self.aig, &held, &time);
+        let over = !bits::less(&mut self.aig, &held, &time);
         let value = self.aig.mux(over, of, out);
         let width = self.clock.width;
         let held = bits::low(&held, width);
@@ -141,7 +141,7 @@ impl Lowering<'_, '_> {
             Blinker::Macro(of) => Role::MacroPhase { of, period },
         };
         let Sym::Ticks(phase) = self.at(role, end)? else { return Err(Refused("a phase that is no time".to_owned())) };
-        let shines = bits::below(&mut self.aig, &phase, &bits::constant(i128::from(blink.on)));
+        let shines = bits::less(&mut self.aig, &phase, &bits::constant(i128::from(blink.on)));
         Ok(self.aig.and(active, shines))
     }
 }

@@ -191,7 +191,7 @@ impl<'m> Lowering<'_, 'm> {
         }
         let count = variants.list.len();
         let bits = self.free_bits(id, bits::width(count - 1), As::Number { signed: false })?;
-        let is_one = bits::below(&mut self.aig, &bits, &bits::constant(i128::try_from(count).unwrap_or(0)));
+        let is_one = bits::less(&mut self.aig, &bits, &bits::constant(i128::try_from(count).unwrap_or(0)));
         self.constraint = self.aig.and(self.constraint, is_one);
         Ok(Sym::Int(bits, None))
     }

@@ -158,10 +158,10 @@ impl Lowering<'_, '_> {
         Ok(Sym::Bool(match operator {
             Binary::Eq => bits::equal(&mut self.aig, a, b),
             Binary::Ne => !bits::equal(&mut self.aig, a, b),
-            Binary::Lt => bits::below(&mut self.aig, a, b),
-            Binary::Ge => !bits::below(&mut self.aig, a, b),
-            Binary::Gt => bits::below(&mut self.aig, b, a),
-            Binary::Le => !bits::below(&mut self.aig, b, a),
+            Binary::Lt => bits::less(&mut self.aig, a, b),
+            Binary::Ge => !bits::less(&mut self.aig, a, b),
+            Binary::Gt => bits::less(&mut self.aig, b, a),
+            Binary::Le => !bits::less(&mut self.aig, b, a),
             _ => return Err(Refused(format!("{operator:?} is no comparison"))),
         }))
     }
@@ -209,8 +209,8 @@ impl Lowering<'_, '_> {
     fn shifted(&mut self, operator: Binary, a: &Bits, b: &Bits, width: Option<Width>) -> Sym {
         let of = width.unwrap_or(Width { signed: true, bits: 32 });
         let most = bits::constant(i128::try_from(of.bits).unwrap_or(64));
-        let (negative, below) = (bits::sign(b), bits::below(&mut self.aig, b, &most));
-        let wide = self.aig.or(negative, !below);
+        let (negative, less) = (bits::sign(b), bits::less(&mut self.aig, b, &most));
+        let wide = self.aig.or(negative, !less);
         self.note_overflow(wide);
         let result = if operator == Binary::Shl {
             let moved = bits::shift_left(&mut self.aig, a, b, of.bits);
@@ -270,7 +270,7 @@ impl Lowering<'_, '_> {
             (How::Max, Some(b), _) => Some(Sym::Int(self.higher(a, &b), width)),
             (How::Clamp, Some(low), _) => {
                 let Some((high, _)) = rest.get(1) else { return Ok(None) };
-                let crossed = bits::below(&mut self.aig, high, &low);
+                let crossed = bits::less(&mut self.aig, high, &low);
                 self.note_panic(crossed);
                 let raised = self.higher(a, &low);
                 Some(Sym::Int(self.lower(&raised, high), width))
@@ -340,13 +340,13 @@ impl Lowering<'_, '_> {
     }
 
     fn lower(&mut self, a: &Bits, b: &Bits) -> Bits {
-        let below = bits::below(&mut self.aig, a, b);
-        bits::mux(&mut self.aig, below, a, b)
+        let less = bits::less(&mut self.aig, a, b);
+        bits::mux(&mut self.aig, less, a, b)
     }
 
     fn higher(&mut self, a: &Bits, b: &Bits) -> Bits {
-        let below = bits::below(&mut self.aig, a, b);
-        bits::mux(&mut self.aig, below, b, a)
+        let less = bits::less(&mut self.aig, a, b);
+        bits::mux(&mut self.aig, less, b, a)
     }
 
     fn magnitude(&mut self, a: &Bits) -> Bits {

@@ -1,6 +1,6 @@
 //! The search itself: which states lead to what is known, in a solver that learns of each cube that is found.
 
-use super::{Lead, Trust, Ways, inputs, times};
+use super::{Lead, Leads, Trust, inputs, times};
 use crate::aig::Lit;
 use crate::circuit::{Circuit, Condition};
 use crate::limit::{At, Limit, Over};
@@ -142,13 +142,13 @@ impl<'c> Search<'c> {
     }
 
     /// What another search has found.
-    pub(crate) fn knowing(mut self, ways: Ways) -> Self {
+    pub(crate) fn knowing(mut self, ways: Leads) -> Self {
         ways.leads.into_iter().for_each(|lead| self.add(lead));
         self
     }
 
-    pub(crate) fn ways(&self) -> Ways {
-        Ways { target: self.target, leads: self.leads.clone() }
+    pub(crate) fn ways(&self) -> Leads {
+        Leads { target: self.target, leads: self.leads.clone() }
     }
 
     /// Looks for ways from where `inside` holds, from so many cubes at most; whether no more are to be found.

@@ -139,11 +139,11 @@ fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, Differenc
         passes.clear();
     }
     let mut whole = true;
-    for way in Way::ALL {
-        if way.is_asked(number) {
-            match way.plays(model, lines, &passes) {
+    for method in Method::ALL {
+        if method.is_asked(number) {
+            match method.plays(model, lines, &passes) {
                 Ok(understood) => whole &= understood,
-                Err(error) => return Err(Difference { passes, way, error }),
+                Err(error) => return Err(Difference { passes, method, error }),
             }
         }
     }
@@ -152,7 +152,7 @@ fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, Differenc
 
 /// How a program is compared with the interpreter.
 #[derive(Clone, Copy, Debug)]
-enum Way {
+enum Method {
     Cycles,
     /// Of a chart by time one in eight, with cycles only where it asks for them.
     Asleep,
@@ -160,7 +160,7 @@ enum Way {
     AtRest,
 }
 
-impl Way {
+impl Method {
     const ALL: [Self; 3] = [Self::Cycles, Self::Asleep, Self::AtRest];
 
     fn is_asked(self, number: u64) -> bool {
@@ -183,13 +183,13 @@ impl Way {
 /// A program that does something else than the interpreter.
 struct Difference {
     passes: Vec<Pass>,
-    way: Way,
+    method: Method,
     error: String,
 }
 
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?}, after the passes {:?}: {}", self.way, self.passes, self.error)
+        write!(f, "{:?}, after the passes {:?}: {}", self.method, self.passes, self.error)
     }
 }
 
@@ -197,10 +197,10 @@ impl Difference {
     /// A chart that has a program, and one that does something else.
     fn persists(&self, model: &Model, lines: &[Line], passes: &[Pass]) -> Option<String> {
         program(model, passes).ok()?;
-        self.way.plays(model, lines, passes).err()
+        self.method.plays(model, lines, passes).err()
     }
 
-    /// With the chart, from which all is left out without which it still differs in this way, and the passes.
+    /// With the chart, from which all is left out without which it still differs in this method, and the passes.
     fn smallest(mut self, chart: &str, lines: &[Line]) -> String {
         let mut chart = chart.to_owned();
         while let Some((simpler, error)) = simpler(&chart).into_iter().find_map(|text| {

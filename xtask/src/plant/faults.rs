@@ -61,8 +61,8 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "what blinks begins off",
         charts: Some("t_blink"),
         file: "grafcet-compiler/src/program/lower/view.rs",
-        right: "all(vec![is, below(phase, ticks(blink.on))])",
-        wrong: "all(vec![is, not(below(phase, ticks(blink.on)))])",
+        right: "all(vec![is, less(phase, ticks(blink.on))])",
+        wrong: "all(vec![is, not(less(phase, ticks(blink.on)))])",
     },
     Fault {
         name: "`>` for `>=` in a timer",
@@ -145,8 +145,8 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "forcing one evolution late",
         charts: Some("a12"),
         file: "grafcet-compiler/src/program/lower/hierarchy.rs",
-        right: "below = vec![Statement::If(self.is(force.step), forced, below)];",
-        wrong: "below = vec![Statement::If(self.was(force.step), forced, below)];",
+        right: "changes = vec![Statement::If(self.is(force.step), forced, changes)];",
+        wrong: "changes = vec![Statement::If(self.was(force.step), forced, changes)];",
     },
     Fault {
         name: "P0 does not see the time reached (A34)",
@@ -180,8 +180,8 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "an inner transition clears in an enclosing step that is left (A19)",
         charts: Some("a19"),
         file: "grafcet-compiler/src/program/lower/hierarchy.rs",
-        right: "below = vec![Statement::If(self.is(step), here, self.overwrite(*id, &[]))];",
-        wrong: "below = here;",
+        right: "changes = vec![Statement::If(self.is(step), here, self.overwrite(*id, &[]))];",
+        wrong: "changes = here;",
     },
     Fault {
         name: "S dominates R in a flip-flop",

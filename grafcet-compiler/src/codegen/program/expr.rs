@@ -232,7 +232,7 @@ impl<'m> Printer<'_, 'm> {
         let sign = match comparison {
             Comparison::Equal => quote!(==),
             Comparison::Differs => quote!(!=),
-            Comparison::Below => quote!(<),
+            Comparison::Less => quote!(<),
             Comparison::AtLeast => quote!(>=),
         };
         let place = [a, b].into_iter().find_map(|side| match side {

@@ -172,8 +172,8 @@ impl Resolver<'_> {
         self.withins.push_all(step.within.clone().map(|within| (id, within)));
         // A second step of a name is not on its own: what is drawn to it cannot be told from the first, nor what is drawn
         // from a step `any` from what is drawn from all.
-        let told_apart = self.scope.declare(&step.name, Meaning::Step(id), self.sink) && step.name != "any";
-        self.model.steps[id].drawn = !told_apart;
+        let is_only = self.scope.declare(&step.name, Meaning::Step(id), self.sink) && step.name != "any";
+        self.model.steps[id].drawn = !is_only;
         if let StepKind::Enclosing(_, _, partials) = &step.kind {
             for inner in partials {
                 let inner = self.declare_partial(inner, Some(id));

@@ -190,7 +190,7 @@ impl Resolver<'_> {
 
     /// A condition of a property: about the ends of cycles. Its edges and delays are none of the chart's, which would remember them.
     fn claimed(&mut self, condition: &syn::Expr) -> Expr {
-        let of_chart = self.sampled_apart();
+        let of_chart = self.take_sampled();
         let condition = expr::resolve_condition(condition, self);
         let own = self.sampled_again(of_chart);
         remembered::Remembering { own: &own, model: &mut self.model }.expr(&condition)

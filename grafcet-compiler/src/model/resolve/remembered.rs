@@ -28,7 +28,7 @@ impl Resolver<'_> {
     }
 
     /// Takes those of the chart away, so that what is resolved next has its own.
-    pub(super) fn sampled_apart(&mut self) -> Sampled {
+    pub(super) fn take_sampled(&mut self) -> Sampled {
         Sampled {
             edges: std::mem::take(&mut self.model.edges),
             delays: std::mem::take(&mut self.model.delays),
@@ -38,7 +38,7 @@ impl Resolver<'_> {
 
     /// Brings those of the chart back; what has been resolved meanwhile.
     pub(super) fn sampled_again(&mut self, of_chart: Sampled) -> Sampled {
-        let own = self.sampled_apart();
+        let own = self.take_sampled();
         (self.model.edges, self.model.delays) = (of_chart.edges, of_chart.delays);
         for (named, known) in self.lets.iter_mut().zip(of_chart.named) {
             named.known = known;

@@ -5,7 +5,7 @@ use super::changes::{Change, changes};
 use super::clocks::{Clock, literal};
 use crate::list::{List, PushAll};
 use crate::model::{Blinker, Expr as Written, Qualifier, StepId};
-use crate::program::build::{all, any, at_least, below, choose, compare, not, sub, ticks};
+use crate::program::build::{all, any, at_least, choose, compare, less, not, sub, ticks};
 use crate::program::{Comparison, Deadline, Expr, Initial, PlaceId, Role, Type, Value, Wait};
 
 /// With more regions, what each of them keeps takes more than the reading of the last cycle.
@@ -32,7 +32,7 @@ impl<'m> Lower<'_, 'm> {
             waits.push(Wait { condition: differ, from, time });
         }
         for (input, held, time) in &self.timers {
-            let waiting = all(vec![Expr::Place(*input), below(Expr::Place(*held), time.clone())]);
+            let waiting = all(vec![Expr::Place(*input), less(Expr::Place(*held), time.clone())]);
             waits.push(Wait { condition: waiting, from: reading, time: sub(time.clone(), Expr::Place(*held)) });
         }
         let mut at_once = self.restless();
@@ -94,7 +94,7 @@ impl<'m> Lower<'_, 'm> {
                 let (Some(clock), Some(end)) = (self.clock(of), self.end_of(change)) else { return };
                 if !self.counts_from_beginning() {
                     let passed = clock.passed(Expr::Place(reading));
-                    wait(all(vec![active, below(passed.clone(), end.clone())]), reading, sub(end, passed));
+                    wait(all(vec![active, less(passed.clone(), end.clone())]), reading, sub(end, passed));
                     return;
                 }
                 let is_outlasted = literal(change).is_some_and(|end| self.outlasted.contains(&(of, end)));
@@ -109,7 +109,7 @@ impl<'m> Lower<'_, 'm> {
                 let Some(clock) = self.clock(of) else { return };
                 if !self.counts_from_beginning() {
                     let passed = clock.passed(Expr::Place(reading));
-                    let end = choose(below(passed.clone(), ticks(on)), ticks(on), ticks(period));
+                    let end = choose(less(passed.clone(), ticks(on)), ticks(on), ticks(period));
                     wait(active, reading, sub(end, passed));
                     return;
                 }
@@ -121,7 +121,7 @@ impl<'m> Lower<'_, 'm> {
                 let role = self.phase_role(crate::model::Blink { of, on, off: period.saturating_sub(on) });
                 let Some(phases) = self.phases.iter().find(|phases| phases.role == role) else { return };
                 let phase = Expr::Place(phases.phase);
-                let end = choose(below(phase.clone(), ticks(on)), ticks(on), ticks(period));
+                let end = choose(less(phase.clone(), ticks(on)), ticks(on), ticks(period));
                 wait(active, reading, sub(end, phase));
             }
         }

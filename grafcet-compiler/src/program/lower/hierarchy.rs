@@ -27,12 +27,12 @@ impl<'m> Lower<'_, 'm> {
     pub(super) fn descend(&self) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         for id in &self.partials {
-            let mut below = self.clear(*id);
+            let mut changes = self.clear(*id);
             if let Some(step) = self.model.partials[*id].enclosed_by {
                 let entered = self.overwrite(*id, &self.steps_where(*id, |step| step.linked));
-                let here = vec![Statement::If(self.was(step), below, entered)];
+                let here = vec![Statement::If(self.was(step), changes, entered)];
                 // A19: the enclosing step that is left wins over what is inside.
-                below = vec![Statement::If(self.is(step), here, self.overwrite(*id, &[]))];
+                changes = vec![Statement::If(self.is(step), here, self.overwrite(*id, &[]))];
             }
             // A14 leaves at most one order; the last in the source otherwise.
             for force in self.model.orders_on(*id) {
@@ -41,9 +41,9 @@ impl<'m> Lower<'_, 'm> {
                     ForceOrder::Init => self.overwrite(*id, &self.steps_where(*id, |step| step.initial)),
                     ForceOrder::Hold => self.clears_nothing(*id),
                 };
-                below = vec![Statement::If(self.is(force.step), forced, below)];
+                changes = vec![Statement::If(self.is(force.step), forced, changes)];
             }
-            body.push_all(below);
+            body.push_all(changes);
         }
         body
     }

@@ -3,7 +3,7 @@
 use super::Lower;
 use crate::list::List;
 use crate::model::{Blink, Blinker, Expr as Written, Id, MacroId, Name, Read, StepId, TimeRef, Tree};
-use crate::program::build::{all, any, at_least, below, choose, no, not, ticks, yes, zero};
+use crate::program::build::{all, any, at_least, choose, less, no, not, ticks, yes, zero};
 use crate::program::{Expr, PlaceId, Statement, User, Value};
 
 /// Which situation, times and values an expression sees.
@@ -166,7 +166,7 @@ impl<'m> Lower<'_, 'm> {
     fn blink(&self, blink: Blink, moment: Moment) -> Expr<'m> {
         if let Blinker::Step(step) = blink.of {
             if self.periods.contains(&(step, blink.on, blink.period())) {
-                return all(vec![self.active(step, moment), below(self.since_active(step, moment), ticks(blink.on))]);
+                return all(vec![self.active(step, moment), less(self.since_active(step, moment), ticks(blink.on))]);
             }
         }
         let role = self.phase_role(blink);
@@ -180,7 +180,7 @@ impl<'m> Lower<'_, 'm> {
             Moment::Before | Moment::After => Expr::Place(phases.phase),
             Moment::Leaving => choose(was, Expr::Place(phases.reached), zero()),
         };
-        all(vec![is, below(phase, ticks(blink.on))])
+        all(vec![is, less(phase, ticks(blink.on))])
     }
 
     fn edge(&self, index: usize, moment: Moment, rising: bool) -> Expr<'m> {

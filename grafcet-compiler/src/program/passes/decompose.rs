@@ -28,7 +28,7 @@ fn block<'m>(program: &Program<'m>, statements: &mut [Statement<'m>]) {
         match statement {
             Statement::Part(_, body) | Statement::Loop { body, .. } => block(program, body),
             Statement::If(condition, then, otherwise) => {
-                *condition = apart(model, condition);
+                *condition = decomposed(model, condition);
                 block(program, then);
                 block(program, otherwise);
             }
@@ -39,7 +39,7 @@ fn block<'m>(program: &Program<'m>, statements: &mut [Statement<'m>]) {
                 block(program, otherwise);
             }
             Statement::Set(place, new) if !matches!(program.places[place.0].ty, Type::User(_)) => {
-                *new = apart(model, new);
+                *new = decomposed(model, new);
             }
             other => rewrite(slice::from_mut(other), &mut |expr| value(model, expr)),
         }
@@ -51,27 +51,29 @@ fn value<'m>(model: &Model, expr: &Expr<'m>) -> Expr<'m> {
     match expr {
         Expr::User(user) if matches!(user.tree, Tree::Read(Read::Name(_))) => expr.clone(),
         Expr::Choose(parts) => {
-            Expr::Choose(Box::new([apart(model, &parts[0]), value(model, &parts[1]), value(model, &parts[2])]))
+            Expr::Choose(Box::new([decomposed(model, &parts[0]), value(model, &parts[1]), value(model, &parts[2])]))
         }
-        other => apart(model, other),
+        other => decomposed(model, other),
     }
 }
 
-fn apart<'m>(model: &Model, expr: &Expr<'m>) -> Expr<'m> {
+fn decomposed<'m>(model: &Model, expr: &Expr<'m>) -> Expr<'m> {
     let list = |parts: &[Expr<'m>]| {
         let mut list = Vec::with_capacity(parts.len());
         for part in parts {
-            list.push(apart(model, part));
+            list.push(decomposed(model, part));
         }
         list
     };
     match expr {
-        Expr::Not(inner) => not(apart(model, inner)),
+        Expr::Not(inner) => not(decomposed(model, inner)),
         Expr::All(parts) => all(list(parts)),
         Expr::Any(parts) => any(list(parts)),
-        Expr::Choose(parts) => {
-            Expr::Choose(Box::new([apart(model, &parts[0]), apart(model, &parts[1]), apart(model, &parts[2])]))
-        }
+        Expr::Choose(parts) => Expr::Choose(Box::new([
+            decomposed(model, &parts[0]),
+            decomposed(model, &parts[1]),
+            decomposed(model, &parts[2]),
+        ])),
         Expr::User(user) => of_user(model, user.tokens, user.tree, &user.binds),
         other => other.clone(),
     }

@@ -166,8 +166,8 @@ fn ticks<'m>(ticks: u32) -> Expr<'m> {
 
 fn negated(expr: Expr<'_>) -> Expr<'_> {
     match expr {
-        Expr::Compare(Comparison::Below, a, b) => Expr::Compare(Comparison::AtLeast, a, b),
-        Expr::Compare(Comparison::AtLeast, a, b) => Expr::Compare(Comparison::Below, a, b),
+        Expr::Compare(Comparison::Less, a, b) => Expr::Compare(Comparison::AtLeast, a, b),
+        Expr::Compare(Comparison::AtLeast, a, b) => Expr::Compare(Comparison::Less, a, b),
         Expr::Compare(Comparison::Equal, a, b) => Expr::Compare(Comparison::Differs, a, b),
         Expr::Compare(Comparison::Differs, a, b) => Expr::Compare(Comparison::Equal, a, b),
         other => not(other),
@@ -183,7 +183,7 @@ fn compared<'m>(comparison: Comparison, a: Expr<'m>, b: Expr<'m>) -> Expr<'m> {
     match (comparison, order) {
         (Comparison::Equal, Some(order)) => truth(order.is_eq()),
         (Comparison::Differs, Some(order)) => truth(order.is_ne()),
-        (Comparison::Below, Some(order)) => truth(order.is_lt()),
+        (Comparison::Less, Some(order)) => truth(order.is_lt()),
         (Comparison::AtLeast, Some(order)) => truth(order.is_ge()),
         // A truth compared with a known one.
         (Comparison::Equal | Comparison::Differs, None) => match (a, b) {

@@ -27,8 +27,8 @@ use super::split::each_leaf;
 use super::uses::{Effects, is_read_in, replaced};
 use crate::model::StepId;
 
-/// The ways of one cycle.
-pub(super) struct Ways<'w, 'm> {
+/// What one cycle does from each state that it may begin with.
+pub(super) struct Forest<'w, 'm> {
     pub(super) state: PlaceId,
     /// By point: the state before, the first cycle first.
     pub(super) points: &'w [Value],
@@ -39,51 +39,51 @@ pub(super) struct Ways<'w, 'm> {
 /// What is done in front of the ways, and after them.
 pub(super) type Around<'m> = [Vec<Statement<'m>>; 2];
 
-pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Around<'m> {
+pub(super) fn pass<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>) -> Around<'m> {
     let nothing = [Vec::new(), Vec::new()];
     let (Some(settled), Some(since)) = (program.place(Role::Settled), program.place(Role::Began(0))) else {
         return nothing;
     };
     let passed = program.place(Role::Passed(0));
-    let Some(at) = ways.fields.iter().position(|field| *field == settled) else { return nothing };
+    let Some(at) = forest.fields.iter().position(|field| *field == settled) else { return nothing };
     let mut moved = Moved {
-        state: ways.state,
+        state: forest.state,
         settled,
         since,
         passed,
         at,
-        mark: ways.points[0],
+        mark: forest.points[0],
         over: Vec::new(),
-        is_first_apart: false,
+        is_first_other: false,
         is_unsure: false,
     };
-    if !moved.is_told(ways) {
-        return begun_after(program, ways, since);
+    if !moved.is_told(forest) {
+        return begun_after(program, forest, since);
     }
-    moved.over = moved.outlasted(ways);
-    let begun = moved.begins(program, ways);
+    moved.over = moved.outlasted(forest);
+    let begun = moved.begins(program, forest);
     // A step that no cycle begins with and stays in: of the first cycle, and of a step that is left and entered at once.
     let [one, other, ..] = program.regions[0][..] else { return nothing };
-    let apart = |from: StepId| Value::Step(Some(if from == one { other } else { one }));
-    let name = format!("before.{}", program.places[ways.state.0].name);
+    let other_than = |from: StepId| Value::Step(Some(if from == one { other } else { one }));
+    let name = format!("before.{}", program.places[forest.state.0].name);
     let initial = Initial::Value(Value::Step(Some(one)));
     program.places.push(PlaceInfo { name, role: Role::Before, ty: Type::State(0), initial, is_field: true });
     let before = PlaceId(program.places.len() - 1);
-    for (point, tree) in ways.trees.iter_mut().enumerate() {
-        let from = ways.points[point];
+    for (point, tree) in forest.trees.iter_mut().enumerate() {
+        let from = forest.points[point];
         let Some(tree) = tree else { continue };
         tree.each_leaf_mut(&mut |leaf| {
             let step = if let Value::Step(Some(step)) = leaf.state { step } else { one };
             let is_over = moved.over.contains(&step);
-            moved.is_first_apart |= point == 0 && !is_over;
+            moved.is_first_other |= point == 0 && !is_over;
             let same = leaf.state == from || point == 0 && is_over;
-            moved.tell(leaf, before, same.then(|| apart(step)), begun && leaf.state != from);
+            moved.tell(leaf, before, same.then(|| other_than(step)), begun && leaf.state != from);
         });
     }
     moved.ask(program, before, begun);
-    let (mut front, mut after) = (vec![Statement::Set(before, Expr::Place(ways.state))], Vec::new());
+    let (mut front, mut after) = (vec![Statement::Set(before, Expr::Place(forest.state))], Vec::new());
     if begun {
-        let [copy, begins] = where_it_differs(program, ways.state, since);
+        let [copy, begins] = where_it_differs(program, forest.state, since);
         front.insert(0, copy);
         after.push(begins);
     }
@@ -91,10 +91,10 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
 }
 
 /// The same of the time alone, in a `grafcet` of which each cycle ends settled.
-fn begun_after<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>, since: PlaceId) -> Around<'m> {
+fn begun_after<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>, since: PlaceId) -> Around<'m> {
     let is_begin = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Now) if *place == since);
     let (mut begins, after) = (true, read_after(program));
-    for (tree, from) in ways.trees.iter().zip(ways.points) {
+    for (tree, from) in forest.trees.iter().zip(forest.points) {
         let Some(tree) = tree else { continue };
         each_leaf(tree, &mut |leaf| {
             begins &= leaf.body.iter().any(is_begin) == (leaf.state != *from);
@@ -104,10 +104,10 @@ fn begun_after<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>, since: Pl
     if !begins {
         return Default::default();
     }
-    for tree in ways.trees.iter_mut().flatten() {
+    for tree in forest.trees.iter_mut().flatten() {
         tree.each_leaf_mut(&mut |leaf| leaf.body.retain(|one| !is_begin(one)));
     }
-    let [copy, begins] = where_it_differs(program, ways.state, since);
+    let [copy, begins] = where_it_differs(program, forest.state, since);
     [vec![copy], vec![begins]]
 }
 
@@ -142,7 +142,7 @@ struct Moved {
     /// The steps that stay active then.
     over: Vec<StepId>,
     /// The first cycle has the same mark, and ends in another step.
-    is_first_apart: bool,
+    is_first_other: bool,
     /// A way that stays may leave something to the next cycle, or not.
     is_unsure: bool,
 }
@@ -150,10 +150,10 @@ struct Moved {
 impl Moved {
     /// Whether each way to another state leaves something to the next cycle, and each other one tells whether it does; what is over is so
     /// only where nothing has moved.
-    fn is_told(&mut self, ways: &Ways<'_, '_>) -> bool {
-        let passed = self.passed.and_then(|passed| ways.fields.iter().position(|field| *field == passed));
+    fn is_told(&mut self, forest: &Forest<'_, '_>) -> bool {
+        let passed = self.passed.and_then(|passed| forest.fields.iter().position(|field| *field == passed));
         let (mut told, mut is_unsure) = (true, false);
-        for (tree, from) in ways.trees.iter().zip(ways.points) {
+        for (tree, from) in forest.trees.iter().zip(forest.points) {
             let Some(tree) = tree else { continue };
             told &= !self.is_written(tree);
             each_leaf(tree, &mut |leaf| {
@@ -176,9 +176,9 @@ impl Moved {
     }
 
     /// The steps in which a time can be over.
-    fn outlasted(&self, ways: &mut Ways<'_, '_>) -> Vec<StepId> {
+    fn outlasted(&self, forest: &mut Forest<'_, '_>) -> Vec<StepId> {
         let mut steps = Vec::new();
-        for tree in ways.trees.iter_mut().flatten() {
+        for tree in forest.trees.iter_mut().flatten() {
             tree.each_leaf_mut(&mut |leaf| {
                 let is_over = leaf.body.iter().any(|one| self.is_over(one));
                 if let (Value::Step(Some(step)), true) = (leaf.state, is_over) {
@@ -216,9 +216,9 @@ impl Moved {
 
     /// Whether each way to another state begins the time, and no way that stays does. Nothing on the former asks for it: what does so in front of the beginning means how long
     /// the step was active that is left, and `join` can put it after.
-    fn begins(&self, program: &Program<'_>, ways: &Ways<'_, '_>) -> bool {
+    fn begins(&self, program: &Program<'_>, forest: &Forest<'_, '_>) -> bool {
         let (mut begins, after) = (true, read_after(program));
-        for (tree, from) in ways.trees.iter().zip(ways.points) {
+        for (tree, from) in forest.trees.iter().zip(forest.points) {
             let Some(tree) = tree else { continue };
             each_leaf(tree, &mut |leaf| {
                 let goes = leaf.state != *from || self.has(leaf, false);
@@ -239,14 +239,14 @@ impl Moved {
     }
 
     /// At the end of a way: what stands for "the cycle has moved" where the state does not tell, and for a time that is over.
-    fn tell(&self, leaf: &mut Leaf<'_>, before: PlaceId, apart: Option<Value>, begun: bool) {
+    fn tell(&self, leaf: &mut Leaf<'_>, before: PlaceId, moved: Option<Value>, begun: bool) {
         let goes = self.has(leaf, false);
         let mut body = Vec::with_capacity(leaf.body.len());
         for statement in leaf.body.drain(..) {
             match statement {
                 Statement::Set(place, value) if place == self.settled => {
-                    if let (Some(apart), false) = (apart, goes || matches!(value, Expr::Value(_))) {
-                        let mark = Statement::Set(before, Expr::Value(apart));
+                    if let (Some(moved), false) = (moved, goes || matches!(value, Expr::Value(_))) {
+                        let mark = Statement::Set(before, Expr::Value(moved));
                         body.push(Statement::If(not(value), vec![mark], Vec::new()));
                     }
                 }
@@ -260,8 +260,8 @@ impl Moved {
                 statement => body.push(statement),
             }
         }
-        if let (Some(apart), true) = (apart, goes) {
-            body.push(Statement::Set(before, Expr::Value(apart)));
+        if let (Some(moved), true) = (moved, goes) {
+            body.push(Statement::Set(before, Expr::Value(moved)));
         }
         leaf.body = body;
     }
@@ -272,7 +272,7 @@ impl Moved {
         let is_marked = |comparison| compare(comparison, Expr::Place(before), Expr::Value(self.mark));
         let among = Expr::Is(self.state, self.over.clone());
         let is_over = is_marked(Comparison::Equal);
-        let is_over = if self.is_first_apart { all(vec![is_over, among]) } else { is_over };
+        let is_over = if self.is_first_other { all(vec![is_over, among]) } else { is_over };
         let moved = compare(Comparison::Differs, Expr::Place(before), Expr::Place(self.state));
         let moved = if self.passed.is_some() { all(vec![moved, not(is_over.clone())]) } else { moved };
         let leaf = |expr: &Expr<'m>| match expr {

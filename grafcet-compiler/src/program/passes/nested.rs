@@ -77,7 +77,7 @@ fn gather<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
         if let Some((resting, count)) = followers(program, &statements[at..]) {
             let mut inner = statements.split_off(at);
             statements.extend(inner.split_off(count + 1));
-            let outer = apart(&mut inner, &resting);
+            let outer = set_aside(&mut inner, &resting);
             statements.insert(at, outer);
         }
         at += 1;
@@ -108,7 +108,7 @@ fn followers(program: &Program<'_>, statements: &[Statement<'_>]) -> Option<(Vec
 }
 
 /// The match in front with the arms of some states, and all else in one for the others.
-fn apart<'m>(statements: &mut Vec<Statement<'m>>, resting: &[Option<StepId>]) -> Statement<'m> {
+fn set_aside<'m>(statements: &mut Vec<Statement<'m>>, resting: &[Option<StepId>]) -> Statement<'m> {
     let Statement::Match(place, arms, otherwise) = statements.remove(0) else { return Statement::Break };
     let (mut outer, mut inner) = (Vec::new(), Vec::new());
     for (values, body) in arms {

@@ -22,7 +22,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
 
 /// The same for some statements by themselves.
 pub(super) fn statements(statements: &mut Vec<Statement<'_>>) {
-    block(statements, &mut Way::default());
+    block(statements, &mut Learned::default());
 }
 
 /// So many conditions are tried to be taken apart within one that is: each has what stands after it looked at twice more.
@@ -33,14 +33,14 @@ type Told<'m> = Vec<(Expr<'m>, bool)>;
 
 /// What is known on a way.
 #[derive(Default)]
-struct Way<'m> {
+struct Learned<'m> {
     told: Told<'m>,
     /// In how many conditions that are tried to be taken apart this one lies, and how many more may be tried.
     depth: usize,
     tries: usize,
 }
 
-impl Way<'_> {
+impl Learned<'_> {
     fn may_try(&mut self) -> bool {
         if self.depth == 0 {
             self.tries = TRIES;
@@ -50,27 +50,27 @@ impl Way<'_> {
     }
 }
 
-fn block<'m>(statements: &mut Vec<Statement<'m>>, way: &mut Way<'m>) {
+fn block<'m>(statements: &mut Vec<Statement<'m>>, learned: &mut Learned<'m>) {
     let mut new = Vec::with_capacity(statements.len());
     for statement in statements.drain(..) {
         match statement {
-            Statement::If(condition, then, otherwise) => branches(&condition, then, otherwise, way, &mut new),
+            Statement::If(condition, then, otherwise) => branches(&condition, then, otherwise, learned, &mut new),
             Statement::Part(name, mut body) => {
-                block(&mut body, way);
+                block(&mut body, learned);
                 new.push(Statement::Part(name, body));
             }
             Statement::Loop { rounds, mut body } => {
-                block(&mut body, way);
+                block(&mut body, learned);
                 new.push(Statement::Loop { rounds, body });
             }
             Statement::Match(place, mut arms, mut otherwise) => {
                 for (_, body) in &mut arms {
-                    block(body, way);
+                    block(body, learned);
                 }
-                block(&mut otherwise, way);
+                block(&mut otherwise, learned);
                 new.push(Statement::Match(place, arms, otherwise));
             }
-            Statement::Set(place, value) => new.push(Statement::Set(place, known(&value, &way.told))),
+            Statement::Set(place, value) => new.push(Statement::Set(place, known(&value, &learned.told))),
             other => new.push(other),
         }
     }
@@ -81,36 +81,36 @@ fn branches<'m>(
     condition: &Expr<'m>,
     mut then: Vec<Statement<'m>>,
     otherwise: Vec<Statement<'m>>,
-    way: &mut Way<'m>,
+    learned: &mut Learned<'m>,
     new: &mut Vec<Statement<'m>>,
 ) {
-    let condition = known(condition, &way.told);
+    let condition = known(condition, &learned.told);
     if let Expr::Value(Value::Bool(holds)) = condition {
         let mut body = if holds { then } else { otherwise };
-        block(&mut body, way);
+        block(&mut body, learned);
         new.append(&mut body);
         return;
     }
-    under(&mut then, &condition, true, way);
+    under(&mut then, &condition, true, learned);
     let mut plain = otherwise.clone();
-    under(&mut plain, &condition, false, way);
+    under(&mut plain, &condition, false, learned);
     if same_block(&then, &plain) && is_pure(&condition) {
         new.append(&mut then);
         return;
     }
-    let Some((first, rest)) = first(&condition).filter(|(first, _)| is_asked(&otherwise, first) && way.may_try())
+    let Some((first, rest)) = first(&condition).filter(|(first, _)| is_asked(&otherwise, first) && learned.may_try())
     else {
         new.push(Statement::If(condition, then, plain));
         return;
     };
     let (mut with, mut without) = (otherwise.clone(), otherwise);
-    way.depth += 1;
-    let before = way.told.len();
-    learn(&first, true, &mut way.told);
-    under(&mut with, &rest, false, way);
-    way.told.truncate(before);
-    under(&mut without, &first, false, way);
-    way.depth -= 1;
+    learned.depth += 1;
+    let before = learned.told.len();
+    learn(&first, true, &mut learned.told);
+    under(&mut with, &rest, false, learned);
+    learned.told.truncate(before);
+    under(&mut without, &first, false, learned);
+    learned.depth -= 1;
     if differs(&with, &plain) && differs(&without, &plain) && size(&with) + size(&without) <= size(&plain) {
         new.push(Statement::If(first, vec![Statement::If(rest, then, with)], without));
     } else {
@@ -119,11 +119,11 @@ fn branches<'m>(
 }
 
 /// A body where a condition has been found to hold, or not.
-fn under<'m>(body: &mut Vec<Statement<'m>>, condition: &Expr<'m>, holds: bool, way: &mut Way<'m>) {
-    let before = way.told.len();
-    learn(condition, holds, &mut way.told);
-    block(body, way);
-    way.told.truncate(before);
+fn under<'m>(body: &mut Vec<Statement<'m>>, condition: &Expr<'m>, holds: bool, learned: &mut Learned<'m>) {
+    let before = learned.told.len();
+    learn(condition, holds, &mut learned.told);
+    block(body, learned);
+    learned.told.truncate(before);
 }
 
 /// Whether something is asked that a condition tells, holds it or not.

@@ -72,8 +72,8 @@ enum Holds {
     Something,
 }
 
-/// What they hold on a way: the output, and the field.
-type Way = (Holds, Holds);
+/// What they hold up to here on a way: the output, and the field.
+type HeldPair = (Holds, Holds);
 
 /// States that cannot be there, as another arm is for them.
 type Out = Vec<(PlaceId, Value)>;
@@ -99,7 +99,7 @@ impl<'m> Shown<'_, 'm> {
     }
 
     /// None where something asks for the output, or too much can be. `out` are states that cannot be there.
-    fn block(&self, statements: &[Statement<'m>], mut ways: Vec<Way>, out: &Out) -> Option<Vec<Way>> {
+    fn block(&self, statements: &[Statement<'m>], mut ways: Vec<HeldPair>, out: &Out) -> Option<Vec<HeldPair>> {
         let mut out = out.clone();
         for statement in statements {
             ways = self.after(statement, ways, &out)?;
@@ -111,7 +111,7 @@ impl<'m> Shown<'_, 'm> {
         Some(ways)
     }
 
-    fn after(&self, statement: &Statement<'m>, ways: Vec<Way>, out: &Out) -> Option<Vec<Way>> {
+    fn after(&self, statement: &Statement<'m>, ways: Vec<HeldPair>, out: &Out) -> Option<Vec<HeldPair>> {
         let asks = |expr: &Expr<'m>| mentions(expr, self.output);
         Some(match statement {
             Statement::Part(_, body) => self.block(body, ways, out)?,
@@ -150,7 +150,7 @@ impl<'m> Shown<'_, 'm> {
         })
     }
 
-    fn set(&self, place: PlaceId, value: &Expr<'m>, (output, field): Way) -> Way {
+    fn set(&self, place: PlaceId, value: &Expr<'m>, (output, field): HeldPair) -> HeldPair {
         if place == self.field {
             let holds = if let Expr::Value(value) = value { Holds::Is(*value) } else { Holds::Something };
             return written((output, field), holds);
@@ -173,9 +173,9 @@ impl<'m> Shown<'_, 'm> {
     }
 
     /// The first cycle begins with the field's initial value.
-    fn in_first(&self, ways: &[Way]) -> Vec<Way> {
+    fn in_first(&self, ways: &[HeldPair]) -> Vec<HeldPair> {
         let Some(begins) = initial(&self.program.places[self.field.0]) else { return ways.to_vec() };
-        let one = |(output, field): Way| (output, if field == Holds::Same { Holds::Is(begins) } else { field });
+        let one = |(output, field): HeldPair| (output, if field == Holds::Same { Holds::Is(begins) } else { field });
         each(ways.to_vec(), &one)
     }
 }
@@ -199,11 +199,11 @@ fn may_put(statement: &Statement<'_>, place: PlaceId, value: Value) -> bool {
 }
 
 /// The field has been written.
-fn written((output, _): Way, field: Holds) -> Way {
+fn written((output, _): HeldPair, field: Holds) -> HeldPair {
     (if output == Holds::Same { Holds::Something } else { output }, field)
 }
 
-fn each(ways: Vec<Way>, new: &dyn Fn(Way) -> Way) -> Vec<Way> {
+fn each(ways: Vec<HeldPair>, new: &dyn Fn(HeldPair) -> HeldPair) -> Vec<HeldPair> {
     let mut all = Vec::with_capacity(ways.len());
     for way in ways {
         let way = new(way);
@@ -214,7 +214,7 @@ fn each(ways: Vec<Way>, new: &dyn Fn(Way) -> Way) -> Vec<Way> {
     all
 }
 
-fn both(mut one: Vec<Way>, other: Vec<Way>) -> Vec<Way> {
+fn both(mut one: Vec<HeldPair>, other: Vec<HeldPair>) -> Vec<HeldPair> {
     for way in other {
         if !one.contains(&way) {
             one.push(way);

@@ -172,7 +172,7 @@ impl Split {
         }
         let [front, after] = if options.moved {
             let (points, fields) = (&*self.points.all, &*self.fields);
-            moved::pass(program, &mut moved::Ways { state: self.state, points, fields, trees: &mut trees })
+            moved::pass(program, &mut moved::Forest { state: self.state, points, fields, trees: &mut trees })
         } else {
             Default::default()
         };

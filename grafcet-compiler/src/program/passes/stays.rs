@@ -74,19 +74,24 @@ fn is_told(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, kept: PlaceI
     let Some(copy) = front.iter().rposition(same) else { return false };
     let rest = &front[copy + 1..];
     !is_written_in(rest, kept)
-        && ways(rest, vec![Way::default()], moves, value)
+        && each_way(rest, vec![ChangeTold::default()], moves, value)
             .is_some_and(|ways| ways.iter().all(|way| way.says || !way.changes))
 }
 
-/// What has been done on a way.
+/// What has been done up to here on a way.
 #[derive(Clone, Copy, Default, PartialEq)]
-struct Way {
+struct ChangeTold {
     changes: bool,
     says: bool,
 }
 
-/// The ways through statements. None, where one leaves them.
-fn ways(statements: &[Statement<'_>], mut all: Vec<Way>, moves: PlaceId, value: PlaceId) -> Option<Vec<Way>> {
+/// What the ways through statements do. None, where one leaves them.
+fn each_way(
+    statements: &[Statement<'_>],
+    mut all: Vec<ChangeTold>,
+    moves: PlaceId,
+    value: PlaceId,
+) -> Option<Vec<ChangeTold>> {
     for statement in statements {
         let mut after = Vec::new();
         match statement {
@@ -100,16 +105,16 @@ fn ways(statements: &[Statement<'_>], mut all: Vec<Way>, moves: PlaceId, value: 
                 }
                 after = all;
             }
-            Statement::Part(_, body) => after = ways(body, all, moves, value)?,
+            Statement::Part(_, body) => after = each_way(body, all, moves, value)?,
             Statement::If(_, then, otherwise) => {
-                after = ways(then, all.clone(), moves, value)?;
-                after.extend(ways(otherwise, all, moves, value)?);
+                after = each_way(then, all.clone(), moves, value)?;
+                after.extend(each_way(otherwise, all, moves, value)?);
             }
             Statement::Match(_, arms, otherwise) => {
                 for (_, body) in arms {
-                    after.extend(ways(body, all.clone(), moves, value)?);
+                    after.extend(each_way(body, all.clone(), moves, value)?);
                 }
-                after.extend(ways(otherwise, all, moves, value)?);
+                after.extend(each_way(otherwise, all, moves, value)?);
             }
             Statement::Loop { .. } | Statement::Break => return None,
             other => {

@@ -200,7 +200,7 @@ impl<'m> Around<'_, 'm> {
     }
 
     /// By state: where the ways lead, and what they set.
-    fn ways(&self) -> Option<Vec<Vec<Way>>> {
+    fn ways(&self) -> Option<Vec<Vec<Passage>>> {
         let mut all = Vec::with_capacity(self.trees.len());
         for tree in &*self.trees {
             let mut ways = Vec::new();
@@ -212,7 +212,7 @@ impl<'m> Around<'_, 'm> {
         Some(all)
     }
 
-    fn follow(&self, tree: &Tree<'m>, before: &[(PlaceId, bool)], ways: &mut Vec<Way>) -> Option<()> {
+    fn follow(&self, tree: &Tree<'m>, before: &[(PlaceId, bool)], ways: &mut Vec<Passage>) -> Option<()> {
         let mut sets = before.to_vec();
         let mut add = |body: &[Statement<'m>]| {
             for statement in body {
@@ -225,7 +225,7 @@ impl<'m> Around<'_, 'm> {
         match &tree.end {
             End::Leaf(leaf) => {
                 add(&leaf.body);
-                ways.push(Way { to: self.points.point(leaf.state)?, sets });
+                ways.push(Passage { to: self.points.point(leaf.state)?, sets });
             }
             End::Fork(_, both) => {
                 for way in &**both {
@@ -237,7 +237,7 @@ impl<'m> Around<'_, 'm> {
     }
 
     /// What it holds in each state in which a search rests, if that is known.
-    fn values(&self, ways: &[Vec<Way>], field: PlaceId, begins: bool) -> Option<Vec<bool>> {
+    fn values(&self, ways: &[Vec<Passage>], field: PlaceId, begins: bool) -> Option<Vec<bool>> {
         let mut values: Vec<Option<Holds>> = vec![None; ways.len()];
         values[self.begin] = Some(Holds::One(begins));
         let mut open = vec![self.begin];
@@ -261,7 +261,7 @@ impl<'m> Around<'_, 'm> {
 }
 
 /// A way from one state to one.
-struct Way {
+struct Passage {
     to: usize,
     sets: Vec<(PlaceId, bool)>,
 }

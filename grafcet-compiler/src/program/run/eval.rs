@@ -38,7 +38,7 @@ impl<'m> Running<'_, 'm> {
                 Ok(match comparison {
                     Comparison::Equal => a == b,
                     Comparison::Differs => a != b,
-                    Comparison::Below => a < b,
+                    Comparison::Less => a < b,
                     Comparison::AtLeast => a >= b,
                 })
             }

@@ -65,11 +65,11 @@ impl<'m> Flags<'m> {
             return (association.qualifier == Qualifier::R).then_some((action, all_of));
         }
         let kind = |id: &AssociationId| (known(id).step, known(id).qualifier);
-        let apart = |(index, id): (usize, &AssociationId)| {
+        let is_own_moment = |(index, id): (usize, &AssociationId)| {
             matches!(known(id).qualifier, Qualifier::P1 | Qualifier::P0)
                 && all_of[..index].iter().all(|other| kind(other) != kind(id))
         };
-        (!self.single || !all_of.iter().enumerate().all(apart)).then_some((action, all_of))
+        (!self.single || !all_of.iter().enumerate().all(is_own_moment)).then_some((action, all_of))
     }
 
     /// What is asked before the first action runs, and the calls: with what ends, with what begins, and among the rest.

@@ -185,7 +185,7 @@ variants!(STATEMENTS, statement: &Statement<'_>, Statement { Part Set If Match L
 variants!(EXPRESSIONS, expression: &Expr<'_>, Expr {
     Value Place Initial Input Now Is Not All Any Compare Choose Table Add Sub Next Since Period User
 });
-variants!(COMPARISONS, comparison: Comparison, Comparison { Equal Differs Below AtLeast });
+variants!(COMPARISONS, comparison: Comparison, Comparison { Equal Differs Less AtLeast });
 variants!(FENCES, fence: Fence, Fence { Memory Armv6m BeyondArmv6m Inputs });
 variants!(TYPES, of_type: Type<'_>, Type { Bool Ticks State Number Kind User });
 

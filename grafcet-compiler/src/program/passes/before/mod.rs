@@ -16,12 +16,12 @@
 //! As `moved` does for one region: no way stores whether something has happened, and no cycle its reading. That a time is over while its step stays active is marked
 //! in the state before, by a step from which no transition leads there, or by none. A variable that changes may tell as well, where it does so on ways alone that move a region.
 //!
-//! Needs: each region has a time, and nothing is waited for but these; each way tells whether it has moved (`ways`), and begins the time of each region where another
+//! Needs: each region has a time, and nothing is waited for but these; each way tells whether it has moved (`entries`), and begins the time of each region where another
 //! step becomes active.
 
-mod ways;
+mod entries;
 
-use ways::Ways;
+use entries::Entries;
 
 use super::super::build::{all, choose, compare, not};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
@@ -31,13 +31,14 @@ use crate::model::StepId;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let Some(mut before) = Before::of(program) else { return };
-    let Some(ways) = Ways::of(program, &before) else { return };
+    let Some(entries) = Entries::of(program, &before) else { return };
     for region in &mut before.regions {
-        if !region.outlasted.is_empty() && region.find_mark(&ways.entries, &program.regions[region.number]).is_none() {
+        if !region.outlasted.is_empty() && region.find_mark(&entries.entries, &program.regions[region.number]).is_none()
+        {
             return;
         }
     }
-    let head = before.head(program).filter(|region| ways.enters[*region]);
+    let head = before.head(program).filter(|region| entries.enters[*region]);
     before.remember(program);
     let mut cycle = std::mem::take(&mut program.cycle);
     before.tell(&mut cycle);

@@ -1,4 +1,4 @@
-//! One round: its parts from above downwards. At the ends of the ways of what forces or encloses the parts below are looked at with what is
+//! One round: its parts from above downwards. At the ends of the ways of what forces or encloses the parts led are looked at with what is
 //! known there; where most ways leave them the same to do, that is done once after them.
 
 use std::cell::Cell;
@@ -64,26 +64,26 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         Self { several, parts, later, effects, written, asking, free, shared, left: Cell::new(ENDS) }
     }
 
-    /// What a state tells of what stands below it, whatever it was before: after a round, and so before the next one.
+    /// What a state tells of what it leads, whatever it was before: after a round, and so before the next one.
     pub(super) fn ties(&self, env: &Env, begin: &[Option<StepId>]) -> Vec<Tie> {
         let states = &self.several.states;
         let mut ties = Vec::new();
         for at in 0..self.parts.len() {
             let after: Vec<usize> = (at + 1..self.parts.len()).collect();
-            let ([region], false) = (&self.written[at][..], self.below(at, &after).0.is_empty()) else { continue };
+            let ([region], false) = (&self.written[at][..], self.led(at, &after).0.is_empty()) else { continue };
             for step in self.several.possible(*region) {
                 let mut env = env.clone();
                 for fact in &mut env.facts {
                     *fact = Fact::Nothing;
                 }
                 env.facts[states[*region].0] = Fact::Is(Value::Step(step));
-                for below in &self.parts[at + 1..] {
-                    self.after(&below.statements, &mut env);
+                for part in &self.parts[at + 1..] {
+                    self.after(&part.statements, &mut env);
                 }
                 for (other, state) in states.iter().enumerate().filter(|(other, _)| other != region) {
                     let Fact::Is(Value::Step(told)) = env.facts[state.0] else { continue };
                     if begin[*region] != step || begin[other] == told {
-                        ties.push(Tie { above: (*region, step), below: (other, told) });
+                        ties.push(Tie { leading: (*region, step), led: (other, told) });
                     }
                 }
             }
@@ -116,15 +116,15 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
             let part = &self.parts[at];
             env.later.clone_from(&self.later[at]);
             let next: Vec<usize> = left.iter().rev().copied().collect();
-            let (below, beside) = self.below(at, &next);
-            if let ([region], false) = (&self.written[at][..], below.is_empty()) {
+            let (led, beside) = self.led(at, &next);
+            if let ([region], false) = (&self.written[at][..], led.is_empty()) {
                 // Where the others say alone what becomes of it, it does not lead.
                 let state = self.several.states[*region];
                 let given = self.several.folded(&part.statements, &env).1[state.0];
                 if !matches!(given, Fact::Is(_)) || matches!(env.facts[state.0], Fact::Is(_)) {
-                    if let Some(statements) = self.nested((at, &below), *region, &env) {
+                    if let Some(statements) = self.nested((at, &led), *region, &env) {
                         done.push(Unit { at, statements });
-                        for part in [at].iter().chain(&below) {
+                        for part in [at].iter().chain(&led) {
                             self.after(&self.parts[*part].statements, &mut env);
                         }
                         left = beside;
@@ -139,14 +139,14 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         Some(done)
     }
 
-    /// Of the parts after a part those that ask for the state that it leads to, or are below one that does, and the others.
-    fn below(&self, at: usize, next: &[usize]) -> (Vec<usize>, Vec<usize>) {
-        let mut led = self.written[at].clone();
-        let (mut below, mut beside): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+    /// Of the parts after a part those that ask for the state that it leads to, or are led by one that does, and the others.
+    fn led(&self, at: usize, next: &[usize]) -> (Vec<usize>, Vec<usize>) {
+        let mut regions = self.written[at].clone();
+        let (mut led, mut beside): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
         for part in next {
-            if self.asking[*part].iter().any(|(region, _)| led.contains(region)) {
-                led.extend(self.written[*part].iter().copied());
-                below.push(*part);
+            if self.asking[*part].iter().any(|(region, _)| regions.contains(region)) {
+                regions.extend(self.written[*part].iter().copied());
+                led.push(*part);
             } else {
                 beside.push(*part);
             }
@@ -155,19 +155,19 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         let mut at = 0;
         while at < beside.len() {
             let part = beside[at];
-            if below.iter().any(|other| *other > part && !self.effects[part].may_swap(&self.effects[*other])) {
+            if led.iter().any(|other| *other > part && !self.effects[part].may_swap(&self.effects[*other])) {
                 beside.remove(at);
-                below.push(part);
-                below.sort_unstable();
+                led.push(part);
+                led.sort_unstable();
                 at = 0;
             } else {
                 at += 1;
             }
         }
-        if below.iter().all(|part| self.written[*part].is_empty()) {
-            below.clear();
+        if led.iter().all(|part| self.written[*part].is_empty()) {
+            led.clear();
         }
-        (below, beside)
+        (led, beside)
     }
 
     /// One part by itself.
@@ -218,8 +218,8 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         }
     }
 
-    /// A part that leads, and at the ends of its ways those below it.
-    fn nested(&self, (at, below): (usize, &[usize]), region: usize, env: &Env) -> Option<Vec<Statement<'m>>> {
+    /// A part that leads, and at the ends of its ways those that it leads.
+    fn nested(&self, (at, led): (usize, &[usize]), region: usize, env: &Env) -> Option<Vec<Statement<'m>>> {
         let state = self.several.states[region];
         let states = match env.facts[state.0] {
             Fact::Among(list) => env.lists[list].clone(),
@@ -229,7 +229,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         let (mut ways, lists) = self.several.ways(region, &states, &self.parts[at].statements, env, true)?;
         let mut ends = Vec::new();
         for (_, tree) in &ways {
-            self.ends(below, tree, &lists, &mut ends)?;
+            self.ends(led, tree, &lists, &mut ends)?;
         }
         for (value, tree) in &mut ways {
             settle(tree, state, *value);
@@ -264,10 +264,10 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         Some(whole(tidy(all), state, states.len()))
     }
 
-    /// What is done below, at each end of a way.
+    /// What is led is done at each end of a way.
     fn ends(
         &self,
-        below: &[usize],
+        led: &[usize],
         tree: &Tree<'m>,
         lists: &[Vec<Option<StepId>>],
         ends: &mut Vec<Vec<Unit<'m>>>,
@@ -278,11 +278,11 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                 let mut env = Env { facts: leaf.facts.clone(), lists: lists.to_vec(), later: Set::new() };
                 // By what else is known ends would differ that do the same.
                 env.facts[self.free.moves.0] = Fact::Nothing;
-                ends.push(self.from(below, env)?);
+                ends.push(self.from(led, env)?);
             }
             End::Fork(_, ways) => {
                 for way in &**ways {
-                    self.ends(below, way, lists, ends)?;
+                    self.ends(led, way, lists, ends)?;
                 }
             }
         }

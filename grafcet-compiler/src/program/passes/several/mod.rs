@@ -111,8 +111,8 @@ pub(super) struct Several<'p, 'm> {
 
 /// Where one region has this state, another one has that.
 pub(super) struct Tie {
-    pub(super) above: (usize, Option<StepId>),
-    pub(super) below: (usize, Option<StepId>),
+    pub(super) leading: (usize, Option<StepId>),
+    pub(super) led: (usize, Option<StepId>),
 }
 
 impl<'p, 'm> Several<'p, 'm> {

@@ -29,10 +29,10 @@ impl<'m> Several<'_, 'm> {
         let states = env.lists[list].clone();
         let Some(mut arms) = self.arms(region, &states, &part.statements, env) else { return part.statements };
         let state = self.states[region];
-        let apart = evolution(state, arms.iter().map(|(value, tree)| (*value, tree.copy())).collect());
+        let plain = evolution(state, arms.iter().map(|(value, tree)| (*value, tree.copy())).collect());
         let joined = self.joined(region, &mut arms);
         let whole = weight(&joined) + if joined.len() > 1 { DISPATCH } else { 0 };
-        if weight(std::slice::from_ref(&apart)) <= whole { vec![apart] } else { joined }
+        if weight(std::slice::from_ref(&plain)) <= whole { vec![plain] } else { joined }
     }
 
     /// What is done on all ways from some states of a region.
@@ -88,11 +88,11 @@ impl<'m> Several<'_, 'm> {
         for step in states {
             let mut known = vec![(state, Fact::Is(Value::Step(*step)))];
             for other in (0..self.states.len()).filter(|other| *other != region) {
-                let tie = |tie: &&Tie| tie.above == (region, *step) && tie.below.0 == other;
+                let tie = |tie: &&Tie| tie.leading == (region, *step) && tie.led.0 == other;
                 let tied =
                     self.ties.iter().find(tie).filter(|_| matches!(env.facts[self.states[other].0], Fact::Among(_)));
                 if let Some(tie) = tied {
-                    known.push((self.states[other], Fact::Is(Value::Step(tie.below.1))));
+                    known.push((self.states[other], Fact::Is(Value::Step(tie.led.1))));
                 } else if let Some(fact) = self.narrowed(other, *step, env) {
                     known.push((self.states[other], fact));
                 } else if let Some(states) = self.with_a_step(other, (region, *step), env) {

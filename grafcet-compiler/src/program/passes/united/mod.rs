@@ -26,7 +26,7 @@ use super::dead::drop_places;
 use crate::model::{Id, StepId};
 use crate::sorted::{Map, Set, sort_by_key, sort_unstable};
 
-use walk::Walk;
+use walk::JointWalk;
 
 /// The states of some regions, in their order.
 type Joint = Vec<Value>;
@@ -55,7 +55,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     for (regions, names) in groups {
         let Some(names) = names else { continue };
         let Some(group) = Group::of(program, regions) else { continue };
-        if let Some(walked) = Walk::through(&group, program, Some(&names)) {
+        if let Some(walked) = JointWalk::through(&group, program, Some(&names)) {
             group.unite(program, walked.cycle, &names);
         }
     }
@@ -114,7 +114,7 @@ impl Group {
 
     /// A state by name for each that one place for all has to tell, if the cycle can do with it.
     fn names(&self, program: &Program<'_>) -> Option<Names> {
-        let mut met = Walk::through(self, program, None)?.met;
+        let mut met = JointWalk::through(self, program, None)?.met;
         let start: Vec<Joint> = met.iter().filter(|joint| Self::is_start(joint)).cloned().collect();
         let seen = shown(&self.begin);
         met.retain(|joint| !Self::is_start(joint));
@@ -135,7 +135,7 @@ impl Group {
         program.cycle = cycle;
         super::without_empty(&mut program.cycle);
         if let Some(mut deadline) = program.deadline.take() {
-            let walk = Walk::of(self, program, Some(names));
+            let walk = JointWalk::of(self, program, Some(names));
             let all = walk.anything();
             for expr in deadline.asks_mut() {
                 *expr = walk.expr(expr, &all);

@@ -9,7 +9,7 @@ use crate::model::StepId;
 use crate::sorted::Set;
 use std::cell::Cell;
 
-pub(super) struct Walk<'w, 'm> {
+pub(super) struct JointWalk<'w, 'm> {
     group: &'w Group,
     program: &'w Program<'m>,
     names: Option<&'w Names>,
@@ -29,12 +29,12 @@ pub(super) struct Point {
     truth: bool,
 }
 
-pub(super) struct Walked<'m> {
+pub(super) struct Rewritten<'m> {
     pub(super) cycle: Vec<Statement<'m>>,
     pub(super) met: Set<Joint>,
 }
 
-impl<'w, 'm> Walk<'w, 'm> {
+impl<'w, 'm> JointWalk<'w, 'm> {
     pub(super) fn of(group: &'w Group, program: &'w Program<'m>, names: Option<&'w Names>) -> Self {
         let truth = truth(group, program);
         let (met, left) = (Set::new(), Vec::new());
@@ -42,7 +42,11 @@ impl<'w, 'm> Walk<'w, 'm> {
     }
 
     /// The whole cycle, if it leads from what the states are between two cycles to the same.
-    pub(super) fn through(group: &'w Group, program: &'w Program<'m>, names: Option<&'w Names>) -> Option<Walked<'m>> {
+    pub(super) fn through(
+        group: &'w Group,
+        program: &'w Program<'m>,
+        names: Option<&'w Names>,
+    ) -> Option<Rewritten<'m>> {
         let mut walk = Self::of(group, program, names);
         let begin = walk.anything();
         for point in &begin {
@@ -50,7 +54,7 @@ impl<'w, 'm> Walk<'w, 'm> {
         }
         let (cycle, end) = walk.block(&program.cycle, begin);
         let returns = end.iter().all(|point| group.rest.contains(&point.joint));
-        (returns && !walk.fails.get()).then_some(Walked { cycle, met: walk.met })
+        (returns && !walk.fails.get()).then_some(Rewritten { cycle, met: walk.met })
     }
 
     /// What the states are between two cycles.

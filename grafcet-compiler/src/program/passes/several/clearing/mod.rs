@@ -84,10 +84,10 @@ impl Clearing<'_> {
 
     /// Two that never clear together, as one of them needs a step that the other one cannot have beside its own, or what the other one denies.
     fn excludes(&self, other: &Self) -> bool {
-        let apart = |region: usize, steps: &[StepId]| {
+        let lacks = |region: usize, steps: &[StepId]| {
             other.test(region).is_some_and(|others| !steps.iter().any(|step| others.contains(step)))
         };
-        self.tests.iter().any(|(region, steps)| apart(*region, steps)) || self.denies(other) || other.denies(self)
+        self.tests.iter().any(|(region, steps)| lacks(*region, steps)) || self.denies(other) || other.denies(self)
     }
 
     /// It asks for the opposite of what the other one asks for, or that this one does not clear.

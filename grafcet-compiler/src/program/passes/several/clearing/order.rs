@@ -289,7 +289,7 @@ fn either<'m>(
     let (mut block, mut depth) = (statements, 0);
     while let Some(first) = chain.get(depth) {
         let Some(Statement::If(other, _, _)) = block.last() else { return None };
-        if !denies.contains(first) && !apart(other, &condition) {
+        if !denies.contains(first) && !disjoint(other, &condition) {
             break;
         }
         let Some(Statement::If(_, _, otherwise)) = block.last_mut() else { return None };
@@ -311,7 +311,7 @@ fn either<'m>(
 }
 
 /// Whether two conditions never hold together, by what each of them lists.
-fn apart(a: &Expr<'_>, b: &Expr<'_>) -> bool {
+fn disjoint(a: &Expr<'_>, b: &Expr<'_>) -> bool {
     let (of_a, of_b) = (parts(a), parts(b));
     let is_denied = |other: &Expr<'_>| excludes(a, other) || of_a.iter().any(|one| excludes(one, other));
     of_b.iter().any(is_denied) || of_a.iter().any(|one| excludes(one, b))

@@ -364,7 +364,7 @@ fn asked_before(list: &[Statement<'_>], clearings: &[Clearing<'_>], asking: Aski
     wanted
 }
 
-/// The transition of which a condition says that it does not clear, where that is asked behind its own.
+/// The transition of which a condition says that it does not clear, where that is asked after its own.
 pub(super) fn denied(condition: &Expr<'_>, clearings: &[Clearing<'_>], asking: Asking) -> Option<usize> {
     let Expr::Not(inner) = condition else { return None };
     let Expr::Place(truth) = **inner else { return None };

@@ -34,7 +34,7 @@ pub(super) struct Growth<'c> {
     wires: Wires,
     lemmas: BTreeMap<Key, Lemma>,
     /// By two clocks: by how much the first is ahead, before the cycle and at its end.
-    apart: BTreeMap<(usize, usize), (Bits, Bits)>,
+    differences: BTreeMap<(usize, usize), (Bits, Bits)>,
     /// By latch, at the end of the cycle.
     latches: Vec<Term>,
     constraint: Term,
@@ -49,9 +49,9 @@ impl<'c> Growth<'c> {
         let constraint = wires.term(&mut sat, &circuit.aig, circuit.constraint);
         let bad = wires.term(&mut sat, &circuit.aig, bad);
         let latches = circuit.latches.iter().map(|latch| wires.term(&mut sat, &circuit.aig, latch.next)).collect();
-        let (lemmas, apart) = (BTreeMap::new(), BTreeMap::new());
+        let (lemmas, differences) = (BTreeMap::new(), BTreeMap::new());
         let limit = limit.clone();
-        Self { domain, noise, limit, circuit, sat, wires, lemmas, apart, latches, constraint, bad }
+        Self { domain, noise, limit, circuit, sat, wires, lemmas, differences, latches, constraint, bad }
     }
 
     /// A number, before the cycle and at its end.
@@ -61,8 +61,8 @@ impl<'c> Growth<'c> {
         (of(|latch| latch.now), of(|latch| latch.next))
     }
 
-    fn apart(&mut self, clock: usize, of: usize) -> (Bits, Bits) {
-        if let Some(known) = self.apart.get(&(clock, of)) {
+    fn difference(&mut self, clock: usize, of: usize) -> (Bits, Bits) {
+        if let Some(known) = self.differences.get(&(clock, of)) {
             return known.clone();
         }
         let number = |clock: usize| match &self.domain.clocks[clock] {
@@ -71,9 +71,9 @@ impl<'c> Growth<'c> {
         };
         let (one, other) = (number(clock), number(of));
         let aig = &mut self.circuit.aig;
-        let apart = (bits::sub(aig, &one.0, &other.0), bits::sub(aig, &one.1, &other.1));
-        self.apart.insert((clock, of), apart.clone());
-        apart
+        let difference = (bits::sub(aig, &one.0, &other.0), bits::sub(aig, &one.1, &other.1));
+        self.differences.insert((clock, of), difference.clone());
+        difference
     }
 
     /// Before the cycle, and at its end.
@@ -96,9 +96,9 @@ impl<'c> Growth<'c> {
         let Some(ahead) = ahead else { return Some(Condition { now: !is_in.0, end: !is_in.1 }) };
         let ahead = self.domain.places[place].ahead[ahead];
         let most = bits::constant(i128::from(ahead.most?));
-        let apart = self.apart(ahead.clock, ahead.of);
+        let difference = self.difference(ahead.clock, ahead.of);
         let aig = &mut self.circuit.aig;
-        let (now, end) = (bits::below(aig, &most, &apart.0), bits::below(aig, &most, &apart.1));
+        let (now, end) = (bits::less(aig, &most, &difference.0), bits::less(aig, &most, &difference.1));
         Some(Condition { now: !aig.and(is_in.0, now), end: !aig.and(is_in.1, end) })
     }
 
@@ -204,8 +204,8 @@ impl<'c> Growth<'c> {
                     break;
                 }
                 let pair = (self.domain.places[place].ahead[ahead].clock, self.domain.places[place].ahead[ahead].of);
-                let (is_in, apart) = (self.is_in(place).1, self.apart(pair.0, pair.1).1);
-                let farther = !bits::below(&mut self.circuit.aig, &apart, &bits::constant(i128::from(wanted)));
+                let (is_in, difference) = (self.is_in(place).1, self.difference(pair.0, pair.1).1);
+                let farther = !bits::less(&mut self.circuit.aig, &difference, &bits::constant(i128::from(wanted)));
                 let both = self.circuit.aig.and(is_in, farther);
                 let term = self.term(both);
                 if self.sat.solve(&[assumed, &[term]].concat())? {

@@ -37,7 +37,7 @@ pub(super) struct Ahead {
 }
 
 /// Two choices have these values.
-pub(super) struct Place {
+pub(super) struct ChoicePair {
     pub(super) one: (usize, usize),
     pub(super) other: (usize, usize),
     /// It has been seen.
@@ -49,7 +49,7 @@ pub(super) struct Domain {
     pub(super) choices: Vec<Choice>,
     /// None for the one that always stands at zero.
     pub(super) clocks: Vec<Option<Field>>,
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<ChoicePair>,
     /// By two choices, the first one in front of the other: the number of their first place.
     first: Vec<Vec<usize>>,
 }
@@ -126,7 +126,7 @@ impl Domain {
                 for a in 0..one.values.len() {
                     for b in 0..other.values.len() {
                         let (one, other) = ((index, a), (number, b));
-                        self.places.push(Place { one, other, is_reached: false, ahead: Vec::new() });
+                        self.places.push(ChoicePair { one, other, is_reached: false, ahead: Vec::new() });
                     }
                 }
                 if self.places.len() > MOST {
@@ -151,7 +151,7 @@ impl Domain {
 
     /// The places of which that is news, now that this one has been seen: those with its value, where it is one alone.
     pub(super) fn inside(&self, place: usize) -> Vec<usize> {
-        let Place { one, other: value, .. } = self.places[place];
+        let ChoicePair { one, other: value, .. } = self.places[place];
         if one.0 > 0 {
             return Vec::new();
         }
@@ -160,7 +160,7 @@ impl Domain {
     }
 
     /// What is compared in a place: the clocks of its steps and those that matter everywhere, each with the others and with zero.
-    fn compared(&self, place: &Place) -> Vec<(usize, usize)> {
+    fn compared(&self, place: &ChoicePair) -> Vec<(usize, usize)> {
         let (one, other) = (&self.choices[place.one.0], &self.choices[place.other.0]);
         let mut pairs = Vec::new();
         if !one.is_state || !other.is_state {

@@ -20,23 +20,23 @@ const BITS: usize = 31;
 /// More of what can have happened than this is not looked at.
 const MOST: usize = 256;
 
-/// What the ways of a cycle have in common.
-pub(super) struct Ways {
+/// How the ways of a cycle enter states.
+pub(super) struct Entries {
     /// From which states, to which one.
     pub(super) entries: Vec<(Vec<Value>, Value)>,
     /// By region: each way that begins the time enters a step.
     pub(super) enters: Vec<bool>,
 }
 
-/// One way, or several that have met.
+/// What may have happened on one way, or on several that have met.
 #[derive(Clone)]
-struct Way {
+struct Happened {
     done: Set<Done>,
     /// By region: with which of its states the cycle may have begun; none as soon as it has another one.
     possible: Vec<Option<Vec<bool>>>,
 }
 
-struct Walk<'p, 'm> {
+struct EntrySearch<'p, 'm> {
     program: &'p Program<'m>,
     before: &'p Before,
     /// By region: all its states.
@@ -48,7 +48,7 @@ struct Walk<'p, 'm> {
     entries: Vec<(Vec<Value>, Value)>,
 }
 
-impl Ways {
+impl Entries {
     /// None where a way does not tell whether it has moved, or does not begin the times of what it enters.
     pub(super) fn of(program: &Program<'_>, before: &Before) -> Option<Self> {
         let mut gathered = Vec::new();
@@ -67,27 +67,27 @@ impl Ways {
         let mut copied = Vec::new();
         find_copied(program, &program.cycle, &[&gathered[..], &[before.settled]].concat(), &mut copied);
         let states = before.regions.iter().map(|region| states(program, region)).list();
-        let mut walk = Walk { program, before, states, gathered, copied, entries: Vec::new() };
-        if 2 + 2 * before.regions.len() + walk.gathered.len() + walk.copied.len() > BITS {
+        let mut search = EntrySearch { program, before, states, gathered, copied, entries: Vec::new() };
+        if 2 + 2 * before.regions.len() + search.gathered.len() + search.copied.len() > BITS {
             return None;
         }
-        let mut way = Way { done: Set::new(), possible: Vec::new() };
+        let mut way = Happened { done: Set::new(), possible: Vec::new() };
         // Whatever the last cycle has told, and whatever the copies hold.
-        let changed = (0..walk.copied.len()).fold(0, |bits, at| bits | walk.changed(at));
+        let changed = (0..search.copied.len()).fold(0, |bits, at| bits | search.changed(at));
         way.done.extend([changed, changed | SETTLED]);
-        way.possible = walk.states.iter().map(|all| Some(vec![true; all.len()])).list();
-        walk.block(&program.cycle, &mut way)?;
-        let told = way.done.iter().all(|done| walk.is_told(*done));
+        way.possible = search.states.iter().map(|all| Some(vec![true; all.len()])).list();
+        search.block(&program.cycle, &mut way)?;
+        let told = way.done.iter().all(|done| search.is_told(*done));
         let mut enters = Vec::with_capacity(before.regions.len());
         for region in 0..before.regions.len() {
-            let (entered, begun) = (Walk::entered(region), Walk::begun(region));
+            let (entered, begun) = (EntrySearch::entered(region), EntrySearch::begun(region));
             enters.push(way.done.iter().all(|done| done & begun == 0 || done & entered != 0));
         }
-        told.then_some(Self { entries: walk.entries, enters })
+        told.then_some(Self { entries: search.entries, enters })
     }
 }
 
-impl<'m> Walk<'_, 'm> {
+impl<'m> EntrySearch<'_, 'm> {
     fn entered(region: usize) -> Done {
         1 << (2 + 2 * region)
     }
@@ -107,7 +107,7 @@ impl<'m> Walk<'_, 'm> {
     }
 
     /// What is written may differ from its copy from here on.
-    fn differ(&self, writes: impl Fn(PlaceId) -> bool, way: &mut Way) {
+    fn differ(&self, writes: impl Fn(PlaceId) -> bool, way: &mut Happened) {
         for (at, (place, copy)) in self.copied.iter().enumerate() {
             if writes(*place) || writes(*copy) {
                 way.each(&|done| vec![done | self.changed(at)]);
@@ -127,7 +127,7 @@ impl<'m> Walk<'_, 'm> {
         moved != (done & SETTLED != 0) && begins && (some || !moved)
     }
 
-    fn block(&mut self, statements: &[Statement<'m>], way: &mut Way) -> Option<()> {
+    fn block(&mut self, statements: &[Statement<'m>], way: &mut Happened) -> Option<()> {
         for statement in statements {
             match statement {
                 Statement::Part(_, body) => self.block(body, way)?,
@@ -141,7 +141,7 @@ impl<'m> Walk<'_, 'm> {
                     *way = one.met(other);
                 }
                 Statement::Match(place, arms, otherwise) => {
-                    let (mut rest, mut met) = (way.clone(), None::<Way>);
+                    let (mut rest, mut met) = (way.clone(), None::<Happened>);
                     for (values, body) in arms {
                         let mut arm = way.clone();
                         self.keep(*place, &mut arm, &|value| values.contains(&value));
@@ -184,7 +184,7 @@ impl<'m> Walk<'_, 'm> {
         self.before.regions.iter().position(|region| region.state == state)
     }
 
-    fn keep(&self, place: PlaceId, way: &mut Way, is_kept: &dyn Fn(Value) -> bool) {
+    fn keep(&self, place: PlaceId, way: &mut Happened, is_kept: &dyn Fn(Value) -> bool) {
         let Some(at) = self.region(place) else { return };
         let Some(possible) = &mut way.possible[at] else { return };
         let mut left = Vec::new();
@@ -216,7 +216,7 @@ impl<'m> Walk<'_, 'm> {
     }
 
     /// What a condition says of states that no way has written yet.
-    fn narrow(&self, condition: &Expr<'m>, holds: bool, way: &mut Way) {
+    fn narrow(&self, condition: &Expr<'m>, holds: bool, way: &mut Happened) {
         match condition {
             Expr::Is(place, steps) => self
                 .keep(*place, way, &|value| matches!(value, Value::Step(Some(step)) if steps.contains(&step)) == holds),
@@ -227,7 +227,7 @@ impl<'m> Walk<'_, 'm> {
         }
     }
 
-    fn set(&mut self, place: PlaceId, value: &Expr<'m>, way: &mut Way) -> Option<()> {
+    fn set(&mut self, place: PlaceId, value: &Expr<'m>, way: &mut Happened) -> Option<()> {
         if place == self.before.settled {
             return self.tell(value, way);
         }
@@ -267,7 +267,7 @@ impl<'m> Walk<'_, 'm> {
     }
 
     /// A way says whether it has settled.
-    fn tell(&self, value: &Expr<'m>, way: &mut Way) -> Option<()> {
+    fn tell(&self, value: &Expr<'m>, way: &mut Happened) -> Option<()> {
         way.done.iter().all(|done| self.truth(value, *done).is_some()).then_some(())?;
         way.each(&|done| vec![with(done, SETTLED, self.truth(value, done) == Some(true))]);
         Some(())
@@ -298,7 +298,7 @@ impl<'m> Walk<'_, 'm> {
     }
 }
 
-impl Way {
+impl Happened {
     fn each(&mut self, new: &dyn Fn(Done) -> Vec<Done>) {
         let mut all = Set::new();
         for done in &*self.done {
