@@ -13,30 +13,53 @@ use crate::program::RegionId;
 impl Cx<'_> {
     /// The value of an expression that reads inputs and the recipe alone.
     pub(super) fn value(&self, expr: &Expr) -> TokenStream {
-        let tokens = without_parens(&expr.tokens);
-        // A single input needs no binding: the user's own token names the field.
-        if let ([Read::Name(Name::Input(_))], Some(name)) = (&expr.reads[..], plain_name(tokens)) {
+        let p = &self.p;
+        let is_input = matches!(expr.reads[..], [Read::Name(Name::Input(_))]);
+        self.bound((&expr.tokens, &expr.tree), is_input, !expr.reads.is_empty(), &|| {
+            let bindings = expr.reads.iter().filter_map(|read| {
+                let value = match read {
+                    Read::Name(name) => {
+                        let bound = self.model.value_name(*name);
+                        let of_input = matches!(name, Name::Input(_));
+                        if of_input { quote!(inputs_.#bound) } else { quote!(self.params.#bound) }
+                    }
+                    Read::Ticks(ticks) => quote!(#p::Ticks::new(#ticks)),
+                    _ => return None,
+                };
+                Some(self.binding(*read, &value, expr.tree.is_opaque()))
+            });
+            bindings.tokens()
+        })
+    }
+
+    /// An expression of the user after bindings of what it reads, if it has to read anything: whether that `is_input`, an input alone.
+    pub(super) fn bound(
+        &self,
+        (tokens, tree): (&syn::Expr, &Tree),
+        is_input: bool,
+        reads: bool,
+        bindings: &dyn Fn() -> TokenStream,
+    ) -> TokenStream {
+        let tokens = without_parens(tokens);
+        // An input alone needs no binding: the user's own token names the field.
+        if let (true, Some(name)) = (is_input, plain_name(tokens)) {
             // Located there, so that a type error stands there.
             return quote_spanned!(Span::call_site().located_at(name.span())=> inputs_.#name);
         }
-        if !expr.reads.is_empty() && self.is_logic(&expr.tree) {
+        if reads && self.is_logic(tree) {
             return self.with_inputs(tokens.to_token_stream());
         }
-        let unused = expr.tree.is_opaque().then(|| quote!(#[allow(unused_variables)]));
-        let bindings = expr.reads.iter().filter_map(|read| {
-            let (p, model) = (&self.p, self.model);
-            let (name, value) = match read {
-                Read::Name(name) => {
-                    let bound = model.value_name(*name);
-                    let of_input = matches!(name, Name::Input(_));
-                    (bound.clone(), if of_input { quote!(inputs_.#bound) } else { quote!(self.params.#bound) })
-                }
-                Read::Ticks(ticks) => (placeholder::ident(*read, place::mixed())?, quote!(#p::Ticks::new(#ticks))),
-                _ => return None,
-            };
-            Some(quote!(#unused let #name = #value;))
-        });
-        with_bindings(&bindings.tokens(), tokens)
+        with_bindings(&bindings(), tokens)
+    }
+
+    /// `let on = inputs_.on;` In Rust that is not looked into (`opaque`) a name that is mentioned may stand for something of its own.
+    pub(super) fn binding(&self, read: Read, value: &TokenStream, opaque: bool) -> TokenStream {
+        let name = match read {
+            Read::Name(name) => self.model.value_name(name).clone(),
+            other => placeholder::ident(other, place::mixed()).unwrap_or_else(|| names::local("unnamed")),
+        };
+        let unused = opaque.then(|| quote!(#[allow(unused_variables)]));
+        quote!(#unused let #name = #value;)
     }
 
     /// Whether an expression is made of boolean inputs, `!`, `&&` and `||` alone.

@@ -13,6 +13,7 @@
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
 mod build;
+mod costs;
 mod deadline;
 mod lower;
 pub mod passes;
@@ -22,6 +23,7 @@ mod regions;
 #[cfg(feature = "program")]
 pub mod run;
 mod united;
+pub(crate) mod uses;
 
 use crate::analysis::{Facts, Relation};
 use crate::model::{

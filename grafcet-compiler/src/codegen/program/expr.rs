@@ -86,11 +86,11 @@ impl<'m> Printer<'_, 'm> {
                     (quote!(!#inner), Binds::Unary)
                 }
             },
-            Expr::All(parts) if self.at_once(parts) => {
+            Expr::All(parts) if self.program.asks_at_once(parts) => {
                 let parts = self.list_of(parts, Binds::Unary);
                 (quote!(#(#parts)&*), Binds::Compare)
             }
-            Expr::Any(parts) if self.at_once(parts) => {
+            Expr::Any(parts) if self.program.asks_at_once(parts) => {
                 let parts = self.list_of(parts, Binds::Unary);
                 (quote!(#(#parts)|*), Binds::Compare)
             }
@@ -130,15 +130,6 @@ impl<'m> Printer<'_, 'm> {
                 (self.user(user), binds)
             }
         }
-    }
-
-    /// Whether all parts of a condition are asked, whatever the first ones say.
-    fn at_once(&self, parts: &[Expr<'m>]) -> bool {
-        let is_input = |part: &Expr<'m>| match part {
-            Expr::Not(inner) => matches!(**inner, Expr::Input(_)),
-            part => matches!(part, Expr::Input(_)),
-        };
-        self.eager && parts.iter().all(is_input)
     }
 
     /// The kind of each state, and the type of the kinds: LLVM knows by it how many there are.
@@ -184,8 +175,8 @@ impl<'m> Printer<'_, 'm> {
                 match <[_]>::get(&TABLE, #state as #p::usize) { #p::Option::Some(found_) => #p::u32::from(*found_), #p::Option::None => 0 }
             }));
         }
-        if let Some(computed) = self.in_order_but(place, &states, &of_state) {
-            return computed;
+        if let Some(jumps) = self.program.jumps(&states, &of_state) {
+            return self.in_order(place, &states, &jumps);
         }
         let mut values = Vec::new();
         for from in states {
@@ -198,29 +189,17 @@ impl<'m> Printer<'_, 'm> {
         })
     }
 
-    /// About so many bytes takes such a jump, where a table has one for each state.
-    const JUMP: usize = 8;
-
-    /// Under `optimize size;` LLVM computes the next state where all arms of a match go on to the one after, so the few jumps that a sequence
-    /// has are told apart in front of it.
-    fn in_order_but(&self, place: PlaceId, states: &[Value], of_state: &Map<Value, Value>) -> Option<TokenStream> {
-        if !self.cx.model.optimize_size {
-            return None;
-        }
+    /// The same as a match, after the few states that do not lead to the one after them.
+    fn in_order(&self, place: PlaceId, states: &[Value], jumps: &[(Value, Value)]) -> TokenStream {
         let (ty, state) = (self.program.places[place.0].ty, self.get(place));
-        let (mut in_order, mut jumps, mut count) = (TokenStream::new(), TokenStream::new(), 0);
-        for (index, from) in states.iter().enumerate() {
-            let to = *of_state.get(from).unwrap_or(from);
-            let after = *states.get(index + 1).unwrap_or(from);
-            let (from, to_after) = (self.constant(*from, ty), self.constant(after, ty));
-            in_order.extend(quote!(#from => #to_after,));
-            if to != after {
-                let to = self.constant(to, ty);
-                jumps.extend(quote!(#from => #to,));
-                count += 1;
-            }
-        }
-        (Self::JUMP * count <= states.len()).then(|| quote!(match #state { #jumps _ => match #state { #in_order } }))
+        let arm = |(from, to): (&Value, &Value)| {
+            let (from, to) = (self.constant(*from, ty), self.constant(*to, ty));
+            quote!(#from => #to,)
+        };
+        let following = states.iter().skip(1).and(states.last());
+        let in_order = states.iter().zip(following).map(arm).tokens();
+        let jumps = jumps.iter().map(|(from, to)| arm((from, to))).tokens();
+        quote!(match #state { #jumps _ => match #state { #in_order } })
     }
 
     fn sum(&self, a: &Expr<'m>, sign: &TokenStream, b: &Expr<'m>) -> TokenStream {

@@ -5,12 +5,12 @@ use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::Printer;
 use super::layout::{Kind, Start};
-use super::visit::{self, Seen};
 use crate::codegen::machine::Field;
 use crate::codegen::names;
 use crate::list::List;
 use crate::model::{Id, StepId};
 use crate::place::quote;
+use crate::program::uses::{each_asked, each_written};
 use crate::program::{PlaceId, Role, Statement};
 
 /// The bits of a situation.
@@ -181,11 +181,8 @@ impl<'m> Printer<'_, 'm> {
     /// The states that statements ask for, in front of them, and what puts those back that they change.
     pub(super) fn around(&self, flags: Flags, statements: &[Statement<'m>]) -> (TokenStream, TokenStream) {
         let (mut read, mut written) = (vec![false; self.program.places.len()], vec![false; self.program.places.len()]);
-        visit::block(statements, &mut |seen| match seen {
-            Seen::Read(place) => read[place.0] = true,
-            Seen::Written(place) => written[place.0] = true,
-            Seen::Set(..) | Seen::Arm(..) | Seen::Entry(_) | Seen::Value(_) => {}
-        });
+        each_asked(statements, &mut |place| read[place.0] = true);
+        each_written(statements, &mut |place| written[place.0] = true);
         let (mut first, mut front, mut after) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
         for index in 0..self.program.places.len() {
             let place = PlaceId(index);

@@ -2,13 +2,14 @@
 
 use proc_macro2::{Ident, TokenStream};
 
+use super::constants::{self, Constant};
 use super::flags::Flags;
-use super::visit::{self, Seen};
 use crate::codegen::{Cx, force, names};
 use crate::list::PushAll;
 use crate::model::{StepId, Ty};
 use crate::place::quote;
-use crate::program::{Arm, Initial, PlaceId, PlaceInfo, Program, Role, Type, Value};
+use crate::program::uses::{each_asked, each_read, each_written};
+use crate::program::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Type, Value};
 use crate::sorted::Set;
 
 /// How each place is stored.
@@ -246,30 +247,39 @@ struct Used {
 impl Used {
     fn of(program: &Program<'_>) -> Self {
         let mut used = Self { regions: vec![States::default(); program.regions.len()], ..Self::default() };
-        let mut note = |seen: Seen| match seen {
-            Seen::Read(place) | Seen::Written(place) => _ = used.places.insert(place),
-            Seen::Value(Value::Int(number)) | Seen::Set(_, Value::Int(number)) | Seen::Arm(_, Value::Int(number)) => {
-                used.highest = used.highest.max(u32::try_from(number).unwrap_or(u32::MAX));
-            }
-            Seen::Set(place, value) | Seen::Arm(place, value) => used.state(program.places[place.0].ty, value),
-            Seen::Entry(value) => used.has_tables |= matches!(value, Value::Step(_)),
-            Seen::Value(_) => {}
-        };
         for cycle in program.cycles() {
-            visit::block(cycle, &mut note);
+            each_asked(cycle, &mut |place| _ = used.places.insert(place));
+            each_written(cycle, &mut |place| _ = used.places.insert(place));
+            constants::each_in(cycle, &mut |constant| used.constant(program, constant));
         }
         if let Some(deadline) = &program.deadline {
-            for wait in &deadline.waits {
-                note(Seen::Read(wait.from));
-            }
+            used.places.extend(deadline.waits.iter().map(|wait| wait.from));
             for expr in deadline.asks() {
-                visit::expr(expr, &mut note);
+                used.expr(program, expr);
             }
             for (_, over) in &deadline.late {
-                visit::expr(over, &mut note);
+                used.expr(program, over);
             }
         }
         used
+    }
+
+    fn expr(&mut self, program: &Program<'_>, expr: &Expr<'_>) {
+        each_read(expr, &mut |place| _ = self.places.insert(place));
+        constants::each_of(expr, &mut |constant| self.constant(program, constant));
+    }
+
+    fn constant(&mut self, program: &Program<'_>, constant: Constant) {
+        match constant {
+            Constant::Elsewhere(Value::Int(number))
+            | Constant::Set(_, Value::Int(number))
+            | Constant::Arm(_, Value::Int(number)) => {
+                self.highest = self.highest.max(u32::try_from(number).unwrap_or(u32::MAX));
+            }
+            Constant::Set(place, value) | Constant::Arm(place, value) => self.state(program.places[place.0].ty, value),
+            Constant::Entry(value) => self.has_tables |= matches!(value, Value::Step(_)),
+            Constant::Elsewhere(_) => {}
+        }
     }
 
     /// A place of a type has a value.

@@ -5,8 +5,9 @@
 //! - `scope`: where each local is declared
 //! - `statement`, `expr`: what their names say
 //! - `user`: Rust of the user, after bindings of what it reads
-//! - `visit`: a walk through statements and expressions
+//! - `constants`: those in statements and expressions
 
+mod constants;
 mod expr;
 mod flags;
 mod layout;
@@ -15,7 +16,6 @@ mod places;
 mod scope;
 mod statement;
 mod user;
-mod visit;
 
 use proc_macro2::TokenStream;
 
@@ -54,17 +54,14 @@ struct Printer<'p, 'm> {
     layout: &'p Layout,
     /// What is printed is a cycle.
     within: bool,
-    /// Inputs are asked all at once: no jump is worth what it saves. In a loop it is.
-    eager: bool,
 }
 
 /// The state and the cycle of a chart as its program says.
 pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
     let layout = Layout::of(cx, program);
     let cycle = &program.cycle;
-    let eager = !cycle.iter().any(|statement| matches!(statement, Statement::Loop { rounds: 2.., .. }));
-    let printer = Printer { cx, program, layout: &layout, within: false, eager };
-    let cycles = Printer { cx, program, layout: &layout, within: true, eager };
+    let printer = Printer { cx, program, layout: &layout, within: false };
+    let cycles = Printer { cx, program, layout: &layout, within: true };
     Machine {
         types: printer.types(),
         regions: printer.regions(),

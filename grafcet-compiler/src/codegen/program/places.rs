@@ -4,33 +4,26 @@ use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
 
 use super::Printer;
+use super::constants::{self, Constant};
 use super::expr::kind_type;
 use super::flags::{self, bit};
 use super::layout::{Kind, Slot};
-use super::visit::{self, Seen};
 use crate::codegen::machine::{Began, Field};
 use crate::codegen::{names, rust, types};
 use crate::list::{List, PushAll};
 use crate::model::{StepId, Ty};
 use crate::place::quote;
+use crate::program::uses::mentions;
 use crate::program::{Deadline, Expr, Initial, PlaceId, PlaceInfo, Role, Type, Value, Wait};
-
-/// Whether an expression reads a place.
-fn mentions(expr: &Expr<'_>, place: PlaceId) -> bool {
-    let mut found = false;
-    visit::expr(expr, &mut |seen| found |= matches!(seen, Seen::Read(read) if read == place));
-    found
-}
 
 /// The longest time that an expression names, in ticks.
 fn longest_in(expr: &Expr<'_>) -> u32 {
     let mut longest = 0;
-    let mut note = |seen| {
-        if let Seen::Value(Value::Ticks(ticks)) = seen {
+    constants::each_of(expr, &mut |constant| {
+        if let Constant::Elsewhere(Value::Ticks(ticks)) = constant {
             longest = longest.max(ticks);
         }
-    };
-    visit::expr(expr, &mut note);
+    });
     longest
 }
 

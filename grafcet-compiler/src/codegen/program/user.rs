@@ -1,14 +1,14 @@
 //! Rust of the user, with its own tokens, after bindings of what it reads.
 
-use proc_macro2::{Span, TokenStream};
-use quote::{ToTokens, quote_spanned};
+use proc_macro2::TokenStream;
+use quote::ToTokens;
 
 use super::Printer;
-use crate::codegen::rust::{bare, plain_name, with_bindings, without_parens};
+use crate::codegen::rust::{bare, plain_name, without_parens};
 use crate::codegen::{names, writes};
 use crate::list::List;
-use crate::model::{Name, Place, Read, placeholder};
-use crate::place::{self, quote};
+use crate::model::{Name, Place, Read};
+use crate::place::quote;
 use crate::program::{Expr, Run, User};
 
 /// Whether an expression of the user is an input alone.
@@ -20,16 +20,8 @@ pub(super) fn is_input(user: &User<'_>) -> bool {
 impl<'m> Printer<'_, 'm> {
     /// An expression of the user.
     pub(super) fn user(&self, user: &User<'m>) -> TokenStream {
-        let tokens = without_parens(user.tokens);
-        // An input alone needs no binding: the user's own token names the field.
-        if let (true, Some(name)) = (is_input(user), plain_name(tokens)) {
-            // Located there, so that a type error stands there.
-            return quote_spanned!(Span::call_site().located_at(name.span())=> inputs_.#name);
-        }
-        if !user.binds.is_empty() && self.cx.is_logic(user.tree) {
-            return self.cx.with_inputs(tokens.to_token_stream());
-        }
-        with_bindings(&self.bindings(&user.binds, &[], user.tree.is_opaque()), tokens)
+        let bindings = || self.bindings(&user.binds, &[], user.tree.is_opaque());
+        self.cx.bound((user.tokens, user.tree), is_input(user), !user.binds.is_empty(), &bindings)
     }
 
     /// A block of the user: what it may write is a copy, which is taken over after it.
@@ -63,10 +55,8 @@ impl<'m> Printer<'_, 'm> {
         quote!({ #bindings #flags #[allow(unused_braces)] #tokens #takes })
     }
 
-    /// `let on = inputs.on;` for everything that is read. In Rust that is not looked into (`opaque`) a name that is mentioned may stand
-    /// for something of its own.
+    /// Everything that is read; what is `written` as a copy.
     fn bindings(&self, binds: &[(Read, Expr<'m>)], written: &[Place], opaque: bool) -> TokenStream {
-        let unused = opaque.then(|| quote!(#[allow(unused_variables)]));
         let mut tokens = TokenStream::new();
         for (read, value) in binds {
             let value = bare(self.value(value));
@@ -77,11 +67,7 @@ impl<'m> Printer<'_, 'm> {
                 tokens.extend(quote!(#[allow(unused_mut, unused_variables)] let mut #name = #value;));
                 continue;
             }
-            let name = match read {
-                Read::Name(name) => self.cx.model.value_name(*name).clone(),
-                other => placeholder::ident(*other, place::mixed()).unwrap_or_else(|| names::local("unnamed")),
-            };
-            tokens.extend(quote!(#unused let #name = #value;));
+            tokens.extend(self.cx.binding(*read, &value, opaque));
         }
         tokens
     }

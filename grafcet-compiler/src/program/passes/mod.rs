@@ -39,7 +39,7 @@
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
 //! `share` (what lists have in common, `alike` what only looks different), `search` on `early` (where it ends without another look), `several` and `rounds` also on `parts` (another order, in which those of one region stand together; `belonging`, where regions only look at each other) and `among` (which
-//! states of a region are possible); all of them on `uses` (reads, writes, sameness), `many` (many arms at once) and `fold` (expressions of which something is known).
+//! states of a region are possible); all of them on `uses` (effects, sameness; reads and writes in `program/uses.rs`), `many` (many arms at once) and `fold` (expressions of which something is known).
 
 mod alike;
 mod among;

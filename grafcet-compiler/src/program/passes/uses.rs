@@ -1,43 +1,12 @@
-//! What expressions and statements read and write, and whether two of them are the same: what all passes ask.
+//! What statements do to each other, and whether two of them are the same: what all passes ask.
 
 use super::super::{Arm, Expr, PlaceId, Statement, User, Write};
 use crate::model::Read;
 use crate::sorted::Set;
 
-/// Every place that an expression reads.
-pub(super) fn each_read(expr: &Expr<'_>, each: &mut dyn FnMut(PlaceId)) {
-    match expr {
-        Expr::Value(_) | Expr::Initial(_) | Expr::Input(_) | Expr::Now => {}
-        Expr::Place(place) | Expr::Is(place, _) | Expr::Table(place, _) | Expr::Next(place) => each(*place),
-        Expr::Not(inner) => each_read(inner, each),
-        Expr::All(parts) | Expr::Any(parts) => {
-            for part in parts {
-                each_read(part, each);
-            }
-        }
-        Expr::Compare(_, a, b) | Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Since(a, b) | Expr::Period(a, b, _) => {
-            each_read(a, each);
-            each_read(b, each);
-        }
-        Expr::Choose(parts) => {
-            for part in &**parts {
-                each_read(part, each);
-            }
-        }
-        Expr::User(user) => {
-            for (_, value) in &user.binds {
-                each_read(value, each);
-            }
-        }
-    }
-}
-
-/// Whether an expression reads a place.
-pub(super) fn mentions(expr: &Expr<'_>, place: PlaceId) -> bool {
-    let mut found = false;
-    each_read(expr, &mut |read| found |= read == place);
-    found
-}
+pub(super) use super::super::uses::{
+    each_asked, each_read, each_written, is_read_in, is_written_in, mentions, reads_from, writes_to,
+};
 
 /// Whether it can be asked once more, once less or at another time: no call in it answers differently each time.
 pub(super) fn is_pure(expr: &Expr<'_>) -> bool {
@@ -72,93 +41,6 @@ pub(super) fn is_plain(expr: &Expr<'_>) -> bool {
         Expr::Choose(parts) => parts.iter().all(is_plain),
         _ => true,
     }
-}
-
-/// Every place that statements read, wherever they read it.
-pub(super) fn each_asked(statements: &[Statement<'_>], each: &mut dyn FnMut(PlaceId)) {
-    for statement in statements {
-        match statement {
-            Statement::Part(_, body) | Statement::Loop { body, .. } => each_asked(body, each),
-            Statement::Set(_, value) => each_read(value, each),
-            Statement::If(condition, then, otherwise) => {
-                each_read(condition, each);
-                each_asked(then, each);
-                each_asked(otherwise, each);
-            }
-            Statement::Match(place, arms, otherwise) => {
-                each(*place);
-                for (_, body) in arms {
-                    each_asked(body, each);
-                }
-                each_asked(otherwise, each);
-            }
-            Statement::Run(run) => {
-                for (_, value) in &run.binds {
-                    each_read(value, each);
-                }
-                // It may leave it as it is.
-                each_written(std::slice::from_ref(statement), each);
-            }
-            Statement::Call(_, phase, args) => {
-                each_read(phase, each);
-                for arg in args {
-                    each_read(arg, each);
-                }
-            }
-            Statement::Break | Statement::Mark(_) | Statement::Fence(_) => {}
-        }
-    }
-}
-
-/// Every place that statements write, on whatever way.
-pub(super) fn each_written(statements: &[Statement<'_>], each: &mut dyn FnMut(PlaceId)) {
-    for statement in statements {
-        match statement {
-            Statement::Part(_, body) | Statement::Loop { body, .. } => each_written(body, each),
-            Statement::Set(place, _) => each(*place),
-            Statement::If(_, then, otherwise) => {
-                each_written(then, each);
-                each_written(otherwise, each);
-            }
-            Statement::Match(_, arms, otherwise) => {
-                for (_, body) in arms {
-                    each_written(body, each);
-                }
-                each_written(otherwise, each);
-            }
-            Statement::Run(run) => {
-                for write in &run.writes {
-                    each(write.to);
-                    write.noted.into_iter().for_each(&mut *each);
-                }
-            }
-            Statement::Call(..) | Statement::Break | Statement::Mark(_) | Statement::Fence(_) => {}
-        }
-    }
-}
-
-/// Whether statements read a place.
-pub(super) fn is_read_in(statements: &[Statement<'_>], place: PlaceId) -> bool {
-    let mut found = false;
-    each_asked(statements, &mut |read| found |= read == place);
-    found
-}
-
-/// Whether statements write a place.
-pub(super) fn is_written_in(statements: &[Statement<'_>], place: PlaceId) -> bool {
-    let mut found = false;
-    each_written(statements, &mut |written| found |= written == place);
-    found
-}
-
-/// Whether a statement writes a place.
-pub(super) fn writes_to(statement: &Statement<'_>, place: PlaceId) -> bool {
-    is_written_in(std::slice::from_ref(statement), place)
-}
-
-/// Whether a statement reads a place.
-pub(super) fn reads_from(statement: &Statement<'_>, place: PlaceId) -> bool {
-    is_read_in(std::slice::from_ref(statement), place)
 }
 
 /// Whether a statement may end the block it stands in. A loop takes in what leaves it.
