@@ -284,31 +284,9 @@ fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     if cx.plan.one_step {
         return None;
     }
-    let Cx { model, p, names, plan, .. } = cx;
+    let Cx { model, p, names, .. } = cx;
     let (vis, name, step, chart) = (&model.vis, &names.situation, &names.step, &names.chart);
-    let fields = machine.regions.iter().map(|StateEnum { region, .. }| {
-        let (field, ty) = (names::region_field(*region, plan), cx.names.region(*region, plan));
-        quote!(#field: #ty,)
-    });
-    let fields: TokenStream = match machine.flags {
-        Some(flags) => {
-            let bytes = Literal::usize_suffixed(flags.bytes());
-            quote!(steps: [#p::u8; #bytes])
-        }
-        None => fields.tokens(),
-    };
-    let arms = model.steps.ids().map(|id| {
-        let step = step_name(cx, id);
-        if machine.flags.is_some() {
-            let (byte, mask) = program::bit(id.index());
-            return quote!(#step => self.steps[#byte] & #mask != 0,);
-        }
-        let (region, states) = &machine.homes[id.index()];
-        let field = names::region_field(*region, plan);
-        let states = states.iter().map(|state| cx.variant_of(*state, *region)).list();
-        let active = cx.is_one_of(&quote!(self.#field), &states, None);
-        quote!(#step => #active,)
-    });
+    let (fields, arms) = situation_fields(cx, machine);
     let derives = derives::of_states();
     let (written_out, derives) = (derives.written_out(name, p), derives.users(model, &["Default"]));
     let doc = format!("A situation of [`{}`]: which steps are active.", model.name);
@@ -326,7 +304,7 @@ fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
             /// Whether the step is active in this situation.
             #[must_use]
             #vis fn is_active(&self, #asked) -> #p::bool {
-                match step_ { #(#arms)* }
+                match step_ { #arms }
             }
         }
 
@@ -350,6 +328,35 @@ fn situation_struct(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
             }
         }
     })
+}
+
+/// What a situation holds, and for each step whether it is active there.
+fn situation_fields(cx: &Cx<'_>, machine: &Machine<'_>) -> (TokenStream, TokenStream) {
+    let Cx { model, p, plan, .. } = cx;
+    let fields = machine.regions.iter().map(|StateEnum { region, .. }| {
+        let (field, ty) = (names::region_field(*region, plan), cx.names.region(*region, plan));
+        quote!(#field: #ty,)
+    });
+    let fields: TokenStream = match machine.flags {
+        Some(flags) => {
+            let bytes = Literal::usize_suffixed(flags.bytes());
+            quote!(steps: [#p::u8; #bytes])
+        }
+        None => fields.tokens(),
+    };
+    let arms = model.steps.ids().map(|id| {
+        let step = step_name(cx, id);
+        if machine.flags.is_some() {
+            let (byte, mask) = program::bit(id.index());
+            return quote!(#step => self.steps[#byte] & #mask != 0,);
+        }
+        let (region, states) = &machine.homes[id.index()];
+        let field = names::region_field(*region, plan);
+        let states = states.iter().map(|state| cx.variant_of(*state, *region)).list();
+        let active = cx.is_one_of(&quote!(self.#field), &states, None);
+        quote!(#step => #active,)
+    });
+    (fields, arms.tokens())
 }
 
 /// A30: whether the last search for stability came to an end.

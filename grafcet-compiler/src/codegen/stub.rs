@@ -129,25 +129,7 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
         assumption.of_range.is_none() && assumption.never.reads.iter().any(is_param)
     };
     let of_recipe = model.assumptions.iter().any(reads_params).then(|| quote!(&self,));
-    let (with_params, set_params) = if recipe::has_ranges(model) {
-        let refused = quote!(#p::OutOfRange);
-        (
-            quote!(#vis const fn with_params(params_: #params) -> #p::Result<Self, #refused> { #p::Result::Ok(Self {}) }),
-            quote!(#vis fn set_params(&mut self, params_: #params) -> #p::Result<(), #refused> { loop {} }),
-        )
-    } else {
-        (
-            quote!(#vis const fn with_params(params_: #params) -> Self { Self {} }),
-            quote!(#vis fn set_params(&mut self, params_: #params) {}),
-        )
-    };
-    let recipe = (!model.params.is_empty()).then(|| {
-        quote! {
-            #with_params
-            #vis fn params(&self) -> &#params { loop {} }
-            #set_params
-        }
-    });
+    let recipe = (!model.params.is_empty()).then(|| recipe_methods(model, params, p));
     let vars = (!model.vars.is_empty()).then(|| {
         let name = outside::vars_name(model);
         quote!(#vis fn vars(&self) -> #name { loop {} })
@@ -168,20 +150,7 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
     });
     let calls =
         (!model.actions.is_empty()).then(|| quote!(, actions_: &mut (impl #actions + ?#p::core::marker::Sized)));
-    // A name that is declared twice has been reported.
-    let mut seen = Set::new();
-    let declared = model.actions.values().filter(|action| seen.insert(action.name.to_string()));
-    let methods = declared.map(|action| {
-        let (docs, name) = (docs(&action.attrs), &action.name);
-        let params = action.params.iter().map(|(name, ty)| {
-            let ty = types::rust_type(ty, p);
-            quote!(#name: #ty)
-        });
-        quote!(#docs fn #name(&mut self, phase: #p::Phase, #(#params),*) {})
-    });
-    let item = place::item("trait", actions, &model.name, &quote!(#(#methods)*));
-    let trait_item =
-        (!model.actions.is_empty()).then(|| quote!(#[allow(missing_docs, dead_code, unused_variables)] #vis #item));
+    let trait_item = (!model.actions.is_empty()).then(|| actions_trait(model, actions, p));
     quote! {
         #trait_item
 
@@ -207,6 +176,45 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
             #vis const fn ticks(duration_: #p::core::time::Duration) -> #p::Ticks { #p::Ticks::ZERO }
         }
     }
+}
+
+fn recipe_methods(model: &Model, params: &Ident, p: &TokenStream) -> TokenStream {
+    let vis = &model.vis;
+    let (with_params, set_params) = if recipe::has_ranges(model) {
+        let refused = quote!(#p::OutOfRange);
+        (
+            quote!(#vis const fn with_params(params_: #params) -> #p::Result<Self, #refused> { #p::Result::Ok(Self {}) }),
+            quote!(#vis fn set_params(&mut self, params_: #params) -> #p::Result<(), #refused> { loop {} }),
+        )
+    } else {
+        (
+            quote!(#vis const fn with_params(params_: #params) -> Self { Self {} }),
+            quote!(#vis fn set_params(&mut self, params_: #params) {}),
+        )
+    };
+    quote! {
+        #with_params
+        #vis fn params(&self) -> &#params { loop {} }
+        #set_params
+    }
+}
+
+/// The trait of the code actions, whose methods do nothing.
+fn actions_trait(model: &Model, actions: &Ident, p: &TokenStream) -> TokenStream {
+    let vis = &model.vis;
+    // A name that is declared twice has been reported.
+    let mut seen = Set::new();
+    let declared = model.actions.values().filter(|action| seen.insert(action.name.to_string()));
+    let methods = declared.map(|action| {
+        let (docs, name) = (docs(&action.attrs), &action.name);
+        let params = action.params.iter().map(|(name, ty)| {
+            let ty = types::rust_type(ty, p);
+            quote!(#name: #ty)
+        });
+        quote!(#docs fn #name(&mut self, phase: #p::Phase, #(#params),*) {})
+    });
+    let item = place::item("trait", actions, &model.name, &quote!(#(#methods)*));
+    quote!(#[allow(missing_docs, dead_code, unused_variables)] #vis #item)
 }
 
 /// The trait `Chart`.

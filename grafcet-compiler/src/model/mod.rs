@@ -5,6 +5,7 @@
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
 mod begins;
+mod declared;
 mod endless;
 mod expr;
 mod ids;
@@ -15,6 +16,7 @@ mod plants;
 mod queries;
 mod resolve;
 mod text;
+mod tree;
 
 use proc_macro2::Span;
 use syn::{Attribute, Ident, Visibility};
@@ -22,6 +24,7 @@ use syn::{Attribute, Ident, Visibility};
 pub use crate::ast::{Derive, Dialect, LevelAttr, Variant};
 use crate::diagnostic::Mark;
 pub use crate::qualifier::{Qualifier, Trigger};
+pub use declared::{Action, Input, Let, Output, Param, Range, Ty, Var, Variants};
 pub use expr::{
     Binary, Blink, Blinker, Code, Computed, Expr, How, Integer, Name, Place, Read, Statement, TimeRef, Tree, Unary,
 };
@@ -172,19 +175,6 @@ pub struct Property {
     pub mark: Mark,
 }
 
-/// `mode: Mode in {Off, Auto, Manual}`: in the trees of expressions a variant is its place in the list.
-pub struct Variants {
-    /// The values.
-    pub names: Vec<Name>,
-    /// Of the type, without arguments.
-    pub path: syn::Path,
-    pub list: Vec<Variant>,
-    /// Other paths by which comparisons name the type.
-    pub others: Vec<syn::Path>,
-    /// A variant with which `==` compares.
-    pub compared: Option<usize>,
-}
-
 /// What a property says.
 pub enum Claim {
     /// `never Up.X && Down.X;`
@@ -197,91 +187,6 @@ pub enum Claim {
     LeadsTo { from: Expr, to: Expr, within: Option<u32> },
     /// `Clamp before Drill;`
     Before { first: Expr, then: Expr },
-}
-
-/// A declared type.
-#[derive(Clone)]
-pub enum Ty {
-    Bool(syn::Type),
-    /// A primitive integer: `i16` is `{ signed: true, bits: 16 }`; `isize`/`usize` count as 32 bits.
-    Int {
-        signed: bool,
-        bits: u32,
-        rust: syn::Type,
-    },
-    /// The keyword `time`: `Ticks`.
-    Time(Span),
-    /// Any other Rust type.
-    Other(syn::Type),
-}
-
-/// `input on: bool;`
-pub struct Input {
-    pub name: Ident,
-    pub attrs: Vec<Attribute>,
-    pub levels: Vec<LevelAttr>,
-    pub ty: Ty,
-}
-
-/// `output speed: u16 = 0;`
-pub struct Output {
-    pub name: Ident,
-    pub attrs: Vec<Attribute>,
-    pub levels: Vec<LevelAttr>,
-    pub ty: Ty,
-    /// A constant expression; none is `Default`.
-    pub init: Option<Expr>,
-}
-
-/// `var count: u16 = 0;`
-pub struct Var {
-    pub name: Ident,
-    pub attrs: Vec<Attribute>,
-    pub levels: Vec<LevelAttr>,
-    pub ty: Ty,
-    pub init: Option<Expr>,
-}
-
-/// `param soak: time in 1s..10s = 5s;`
-pub struct Param {
-    pub name: Ident,
-    pub attrs: Vec<Attribute>,
-    pub levels: Vec<LevelAttr>,
-    pub ty: Ty,
-    pub init: Option<Expr>,
-    /// What it never leaves; one of the [assumptions](Model::assumptions) says the same.
-    pub range: Option<Range>,
-}
-
-/// `1s..10s`: from the lowest value to the highest, both in it; times in ticks.
-#[derive(Clone)]
-pub struct Range {
-    pub low: i128,
-    pub high: i128,
-    /// As it is written.
-    pub text: String,
-}
-
-/// `let go = auto || rising(next);` Expressions that use it hold what it stands for.
-pub struct Let {
-    pub name: Ident,
-    pub levels: Vec<LevelAttr>,
-    /// The first paragraph of its doc comment.
-    pub doc: String,
-    /// What it stands for, as written.
-    pub text: String,
-    /// The values in it, used or not.
-    pub mentions: Vec<Name>,
-    /// An expression that is no unused `let` uses it.
-    pub used: bool,
-}
-
-/// `action heat(setpoint: i16);`
-pub struct Action {
-    pub name: Ident,
-    pub attrs: Vec<Attribute>,
-    pub levels: Vec<LevelAttr>,
-    pub params: Vec<(Ident, Ty)>,
 }
 
 /// A partial grafcet: a set of steps that evolves by itself.

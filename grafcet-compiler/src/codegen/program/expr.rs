@@ -6,6 +6,7 @@ use super::Printer;
 use super::user::is_input;
 use crate::codegen::names;
 use crate::list::List;
+use crate::model::StepId;
 use crate::place::quote;
 use crate::program::{Comparison, Expr, PlaceId, Type, Value};
 use crate::sorted::Map;
@@ -66,26 +67,8 @@ impl<'m> Printer<'_, 'm> {
                 (quote!(inputs_.#name), Binds::Term)
             }
             Expr::Now => (quote!(now_), Binds::Term),
-            Expr::Is(place, steps) => {
-                let state = self.get(*place);
-                let variants = steps.iter().map(|step| self.state(*place, *step)).list();
-                match &variants[..] {
-                    // What only a step does that is never entered.
-                    [] => (quote!(false), Binds::Term),
-                    [one] => (quote!(#state == #one), Binds::Compare),
-                    _ => (quote!(#p::core::matches!(#state, #(#variants)|*)), Binds::Term),
-                }
-            }
-            Expr::Not(inner) => match &**inner {
-                Expr::Is(place, steps) if steps.len() == 1 => {
-                    let (state, variant) = (self.get(*place), self.state(*place, steps[0]));
-                    (quote!(#state != #variant), Binds::Compare)
-                }
-                inner => {
-                    let inner = self.operand(inner, Binds::Unary);
-                    (quote!(!#inner), Binds::Unary)
-                }
-            },
+            Expr::Is(place, steps) => self.is(*place, steps),
+            Expr::Not(inner) => self.not(inner),
             Expr::All(parts) if self.program.asks_at_once(parts) => {
                 let parts = self.list_of(parts, Binds::Unary);
                 (quote!(#(#parts)&*), Binds::Compare)
@@ -128,6 +111,31 @@ impl<'m> Printer<'_, 'm> {
             Expr::User(user) => {
                 let binds = if is_input(user) { Binds::Term } else { Binds::Block };
                 (self.user(user), binds)
+            }
+        }
+    }
+
+    /// Whether the state of a region is one of these.
+    fn is(&self, place: PlaceId, steps: &[StepId]) -> (TokenStream, Binds) {
+        let (p, state) = (&self.cx.p, self.get(place));
+        let variants = steps.iter().map(|step| self.state(place, *step)).list();
+        match &variants[..] {
+            // What only a step does that is never entered.
+            [] => (quote!(false), Binds::Term),
+            [one] => (quote!(#state == #one), Binds::Compare),
+            _ => (quote!(#p::core::matches!(#state, #(#variants)|*)), Binds::Term),
+        }
+    }
+
+    fn not(&self, inner: &Expr<'m>) -> (TokenStream, Binds) {
+        match inner {
+            Expr::Is(place, steps) if steps.len() == 1 => {
+                let (state, variant) = (self.get(*place), self.state(*place, steps[0]));
+                (quote!(#state != #variant), Binds::Compare)
+            }
+            inner => {
+                let inner = self.operand(inner, Binds::Unary);
+                (quote!(!#inner), Binds::Unary)
             }
         }
     }

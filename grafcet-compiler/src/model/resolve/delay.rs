@@ -31,30 +31,8 @@ impl Lower<'_, '_> {
                 }
             }
         }
-        // `Heat/5s`
-        if self.is_step(&division.left) && matches!(&*division.right, syn::Expr::Lit(_)) {
-            if let Some(on) = self.resolver.time_of(&division.right) {
-                let (step, time) = (super::text::of(&division.left), super::text::of(&division.right));
-                let message = format!("the time stands in front of its step: `{time}/{step}`");
-                self.resolver.sink.notation(Mark::of(division), message);
-                return Some(DelayParts { on, of: (*division.left).clone(), off: TimeRef::Ticks(0) });
-            }
-        }
-        if let syn::Expr::Unary(unary) = &*division.left {
-            if self.resolver.time_of(&unary.expr).is_some() {
-                let (operator, whole) = (super::text::of(unary.op), super::text::of(division));
-                let delay = whole.strip_prefix(&operator).unwrap_or(&whole).trim().to_owned();
-                let message = match unary.op {
-                    syn::UnOp::Neg(_) => format!("no time is below zero; write `{delay}`"),
-                    _ => format!("Rust reads this as `({}) / …`; write `{operator}({delay})`", super::text::of(unary)),
-                };
-                self.resolver.sink.notation(Mark::of(division), message);
-                return self.resolver.time_of(&unary.expr).map(|on| DelayParts {
-                    on,
-                    of: (*division.right).clone(),
-                    off: TimeRef::Ticks(0),
-                });
-            }
+        if let Some(meant) = self.misplaced(division) {
+            return Some(meant);
         }
         let on = match self.resolver.time_of(&division.left) {
             Some(on) => on,
@@ -91,6 +69,30 @@ impl Lower<'_, '_> {
             }
         };
         Some(DelayParts { on, of: (*division.right).clone(), off: TimeRef::Ticks(0) })
+    }
+
+    /// What is meant by `Heat/5s`, `-5s/Heat` and `!5s/Heat`, which are reported.
+    fn misplaced(&mut self, division: &ExprBinary) -> Option<DelayParts> {
+        let off = TimeRef::Ticks(0);
+        if self.is_step(&division.left) && matches!(&*division.right, syn::Expr::Lit(_)) {
+            if let Some(on) = self.resolver.time_of(&division.right) {
+                let (step, time) = (super::text::of(&division.left), super::text::of(&division.right));
+                let message = format!("the time stands in front of its step: `{time}/{step}`");
+                self.resolver.sink.notation(Mark::of(division), message);
+                return Some(DelayParts { on, of: (*division.left).clone(), off });
+            }
+        }
+        let syn::Expr::Unary(unary) = &*division.left else { return None };
+        self.resolver.time_of(&unary.expr)?;
+        let (operator, whole) = (super::text::of(unary.op), super::text::of(division));
+        let delay = whole.strip_prefix(&operator).unwrap_or(&whole).trim().to_owned();
+        let message = match unary.op {
+            syn::UnOp::Neg(_) => format!("no time is below zero; write `{delay}`"),
+            _ => format!("Rust reads this as `({}) / …`; write `{operator}({delay})`", super::text::of(unary)),
+        };
+        self.resolver.sink.notation(Mark::of(division), message);
+        let on = self.resolver.time_of(&unary.expr)?;
+        Some(DelayParts { on, of: (*division.right).clone(), off })
     }
 
     /// `n / 2`, where `n` is bound in the expression and no time of the chart.

@@ -1,7 +1,7 @@
 //! What is live: read later on, before something writes it.
 
 use super::super::build::not;
-use super::super::{Expr, PlaceId, Statement, Write};
+use super::super::{Arm, Expr, PlaceId, Statement, Write};
 use super::uses::{each_asked, each_read, is_pure};
 
 /// A set of places, one bit each: a search that asks for a thousand transitions has as many live in each of its ifs.
@@ -113,33 +113,9 @@ impl<'l> Live<'l> {
                 self.read(value);
                 true
             }
-            Statement::If(condition, then, otherwise) => {
-                let after = self.now.clone();
-                self.sweep(then);
-                let first = std::mem::replace(&mut self.now, after);
-                self.sweep(otherwise);
-                self.now.join(&first);
-                if then.is_empty() && otherwise.is_empty() && is_pure(condition) {
-                    return false;
-                }
-                if then.is_empty() {
-                    std::mem::swap(then, otherwise);
-                    *condition = not(condition.clone());
-                }
-                self.read(condition);
-                true
-            }
+            Statement::If(condition, then, otherwise) => self.keep_if(condition, then, otherwise),
             Statement::Match(place, arms, otherwise) => {
-                let after = self.now.clone();
-                self.sweep(otherwise);
-                for (_, body) in arms.iter_mut() {
-                    let so_far = std::mem::replace(&mut self.now, after.clone());
-                    self.sweep(body);
-                    self.now.join(&so_far);
-                }
-                if otherwise.is_empty() {
-                    arms.retain(|(_, body)| !body.is_empty());
-                }
+                self.arms(arms, otherwise);
                 self.now.put(*place, true);
                 !(arms.is_empty() && otherwise.is_empty())
             }
@@ -166,6 +142,40 @@ impl<'l> Live<'l> {
                 each_asked(std::slice::from_ref(other), &mut |place| self.now.put(place, true));
                 true
             }
+        }
+    }
+    fn keep_if<'m>(
+        &mut self,
+        condition: &mut Expr<'m>,
+        then: &mut Vec<Statement<'m>>,
+        otherwise: &mut Vec<Statement<'m>>,
+    ) -> bool {
+        let after = self.now.clone();
+        self.sweep(then);
+        let first = std::mem::replace(&mut self.now, after);
+        self.sweep(otherwise);
+        self.now.join(&first);
+        if then.is_empty() && otherwise.is_empty() && is_pure(condition) {
+            return false;
+        }
+        if then.is_empty() {
+            std::mem::swap(then, otherwise);
+            *condition = not(condition.clone());
+        }
+        self.read(condition);
+        true
+    }
+
+    fn arms<'m>(&mut self, arms: &mut Vec<Arm<'m>>, otherwise: &mut Vec<Statement<'m>>) {
+        let after = self.now.clone();
+        self.sweep(otherwise);
+        for (_, body) in arms.iter_mut() {
+            let so_far = std::mem::replace(&mut self.now, after.clone());
+            self.sweep(body);
+            self.now.join(&so_far);
+        }
+        if otherwise.is_empty() {
+            arms.retain(|(_, body)| !body.is_empty());
         }
     }
 }

@@ -212,22 +212,10 @@ impl<'m> Several<'_, 'm> {
 
     /// The condition at a place is asked, and the rest done by what it says, if what stands in front of it may stand after it. Where it holds, the truths `off` are false.
     fn asked_first(&self, part: Part<'m>, at: usize, off: &[PlaceId], env: &Env) -> Option<Vec<Statement<'m>>> {
-        let mut wanted = Effects::of(&part.statements[at]).reads;
+        let wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;
         let after = list.split_off(at);
-        let mut in_front = vec![false; list.len()];
-        for (index, statement) in list.iter().enumerate().rev() {
-            let effects = Effects::of(statement);
-            if !effects.writes.is_disjoint(&wanted) {
-                in_front[index] = true;
-                wanted.extend(effects.reads.iter().copied());
-            }
-        }
-        let of = |front: bool| {
-            let those = list.iter().zip(&in_front).filter(|(_, is)| **is == front);
-            those.map(|(statement, _)| statement.clone()).list()
-        };
-        let (before, mut rest) = (of(true), of(false));
+        let (before, mut rest) = needed(&list, wanted);
         // What stays after must not be what stands in front now.
         let (front, back) = (Effects::of_all(&before), Effects::of_all(&rest));
         let swaps = front.may_swap(&back) && after.first().is_some_and(|one| Effects::of(one).may_swap(&back));
@@ -299,4 +287,21 @@ impl<'m> Several<'_, 'm> {
             }
         }
     }
+}
+
+/// The statements that set what is wanted, and the others.
+fn needed<'m>(list: &[Statement<'m>], mut wanted: Set<PlaceId>) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
+    let mut in_front = vec![false; list.len()];
+    for (index, statement) in list.iter().enumerate().rev() {
+        let effects = Effects::of(statement);
+        if !effects.writes.is_disjoint(&wanted) {
+            in_front[index] = true;
+            wanted.extend(effects.reads.iter().copied());
+        }
+    }
+    let of = |front: bool| {
+        let those = list.iter().zip(&in_front).filter(|(_, is)| **is == front);
+        those.map(|(statement, _)| statement.clone()).list()
+    };
+    (of(true), of(false))
 }
