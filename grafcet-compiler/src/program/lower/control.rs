@@ -14,7 +14,7 @@ use super::places::plain;
 use super::view::Moment;
 use crate::list::{List, PushAll};
 use crate::model::{
-    ActionId, Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, TimeRef, Trigger,
+    ActionId, Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, StepId, TimeRef, Trigger,
 };
 use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
@@ -108,13 +108,9 @@ impl<'m> Lower<'_, 'm> {
         for (id, association) in model.associations.iter() {
             let name = format!("on.{}.{}", self.step_name(association.step), id.index());
             let flag = self.truth(name);
-            let step = association.step.index();
             let (is_on, moment) = match association.qualifier.trigger(Dialect::Sfc) {
-                // Said twice, as a step that has been entered is active: so it is a matter of that state alone.
-                Trigger::Activation => {
-                    (all(vec![self.is(association.step), Expr::Place(self.entered[step])]), Moment::After)
-                }
-                Trigger::Deactivation => (Expr::Place(self.left[step]), Moment::Leaving),
+                Trigger::Activation => (self.has_entered(association.step), Moment::After),
+                Trigger::Deactivation => (self.has_left(association.step), Moment::Leaving),
                 Trigger::Active | Trigger::Event => (self.is(association.step), Moment::After),
             };
             let condition = self.condition(association.condition.as_ref(), moment);
@@ -122,6 +118,31 @@ impl<'m> Lower<'_, 'm> {
             flags.push(flag);
         }
         (flags, body)
+    }
+
+    /// Whether a step has been entered. Of several regions it is said twice, as one that has been entered is active: so it is a matter of that state alone.
+    fn has_entered(&self, step: StepId) -> Expr<'m> {
+        let entered = Expr::Place(self.entered[step.index()]);
+        if self.state.len() < 2 {
+            return entered;
+        }
+        if self.reentered[step.index()] || self.initial.contains(&step) {
+            return all(vec![self.is(step), entered]);
+        }
+        all(vec![not(self.was(step)), self.is(step)])
+    }
+
+    /// Whether a step has been left; of several regions by its states alone, where these tell.
+    fn has_left(&self, step: StepId) -> Expr<'m> {
+        let left = Expr::Place(self.left[step.index()]);
+        if self.state.len() < 2 {
+            return left;
+        }
+        if self.reentered[step.index()] {
+            all(vec![self.was(step), left])
+        } else {
+            all(vec![self.was(step), not(self.is(step))])
+        }
     }
 
     /// The function block of one target.

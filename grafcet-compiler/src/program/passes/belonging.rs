@@ -12,6 +12,7 @@
 
 use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Statement};
+use super::excluding::Situations;
 use super::parts::{Looked, Part, cut, gathers, region_of, written};
 use super::uses::{Effects, each_written, is_pure, mentions, same_block, writes_to};
 use super::working::rename;
@@ -29,7 +30,7 @@ pub(super) struct Kept {
 /// Each group of regions that statements decide about together is a part of its own, if that is another way to cut the list than by what depends on what, and each region
 /// moves in one part. `off` tells which truths are false where the list begins.
 pub(super) fn finer<'m>(
-    places: &[PlaceInfo<'m>],
+    (places, situations): (&[PlaceInfo<'m>], &Situations<'_>),
     looked: &Looked<'m>,
     off: &dyn Fn(PlaceId) -> bool,
     copies: &[Kept],
@@ -42,7 +43,7 @@ pub(super) fn finer<'m>(
     let deciding = Deciding::of(places, &looked);
     let regions = deciding.belonging(places, &looked, copies);
     let keys = regions.iter().map(|regions| deciding.groups.key(regions)).list();
-    let parts = cut(places, looked.list, &looked.effects, &regions, &keys);
+    let parts = cut((places, situations), looked.list, &looked.effects, &regions, &keys);
     let mut moved = Set::new();
     let once = parts.iter().all(|part| written(places, &part.statements).iter().all(|region| moved.insert(*region)));
     once.then_some(parts)

@@ -53,6 +53,7 @@ mod decompose;
 mod direct;
 mod early;
 mod engine;
+mod excluding;
 mod fences;
 mod flat;
 mod fold;

@@ -14,6 +14,7 @@
 use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Role, Statement};
 use super::belonging::Groups;
+use super::excluding::{Excluding, Situations};
 use super::sparse::deciding;
 use super::uses::{Effects, each_read, each_written, is_pure, mentions};
 use crate::list::List;
@@ -134,9 +135,9 @@ impl<'m> Looked<'m> {
     }
 
     /// Those of regions that depend on each other stand together.
-    pub(super) fn parts(self, places: &[PlaceInfo<'m>]) -> Vec<Part<'m>> {
+    pub(super) fn parts(self, places: &[PlaceInfo<'m>], situations: &Situations<'_>) -> Vec<Part<'m>> {
         let keys = self.regions.iter().map(|regions| self.dependent.key(regions)).list();
-        cut(places, self.list, &self.effects, &self.regions, &keys)
+        cut((places, situations), self.list, &self.effects, &self.regions, &keys)
     }
 }
 
@@ -156,13 +157,13 @@ pub(super) fn region_of(places: &[PlaceInfo<'_>], place: PlaceId) -> Option<usiz
 
 /// By the keys of statements: those of one key stand together as far as that is possible.
 pub(super) fn cut<'m>(
-    places: &[PlaceInfo<'m>],
+    (places, situations): (&[PlaceInfo<'m>], &Situations<'_>),
     list: Vec<Statement<'m>>,
     effects: &[Effects],
     regions: &[Set<usize>],
     keys: &[Option<usize>],
 ) -> Vec<Part<'m>> {
-    let order = Order::of(places, &list, effects).scheduled(keys);
+    let order = Order::of(places, &list, effects, &Excluding::of(situations, &list)).scheduled(keys);
     let mut statements: Vec<Option<Statement<'m>>> = list.into_iter().map(Some).collect();
     let mut parts: Vec<(Option<usize>, Part<'m>)> = Vec::new();
     for at in order {
@@ -241,35 +242,54 @@ struct Order {
 }
 
 impl Order {
-    fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>], effects: &[Effects]) -> Self {
+    fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>], effects: &[Effects], excluding: &Excluding<'_>) -> Self {
         let count = list.len();
         let mut order = Self { next: vec![Vec::new(); count], open: vec![0; count] };
-        // By place: who wrote it last, who has added to it and who has read it since.
+        // By place: who wrote it last, who has added to it, changed it in some states, and who has read it since.
         let mut written: Vec<Option<usize>> = vec![None; places.len()];
         let mut gathered: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
+        let mut changed: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
         let mut read: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
-        let (mut told, mut left) = (None, None);
+        // The same of who tells somebody outside something.
+        let (mut told, mut bound, mut left) = (None, Vec::new(), None);
         for (at, (statement, effects)) in list.iter().zip(effects).enumerate() {
             let adds = gathers(statement);
             let mut before = Set::new();
             before.extend(left);
+            let is_bound = excluding.is_bound(at);
+            let meets = |other: &usize| !excluding.excludes(*other, at);
             for place in effects.reads.iter().filter(|place| Some(**place) != adds) {
+                if is_bound && effects.writes.contains(place) {
+                    continue;
+                }
                 before.extend(written[place.0]);
                 before.extend(gathered[place.0].iter().copied());
+                before.extend(changed[place.0].iter().copied());
                 read[place.0].push(at);
             }
             for place in &*effects.writes {
                 before.extend(written[place.0]);
                 before.extend(read[place.0].iter().copied());
                 if Some(*place) == adds {
+                    before.extend(changed[place.0].iter().copied());
                     gathered[place.0].push(at);
+                } else if is_bound {
+                    before.extend(gathered[place.0].iter().copied());
+                    before.extend(changed[place.0].iter().copied().filter(meets));
+                    changed[place.0].push(at);
                 } else {
                     before.extend(gathered[place.0].drain(..));
+                    before.extend(changed[place.0].drain(..));
                     read[place.0].clear();
                     written[place.0] = Some(at);
                 }
             }
-            if effects.outside {
+            if effects.outside && is_bound {
+                before.extend(told);
+                before.extend(bound.iter().copied().filter(meets));
+                bound.push(at);
+            } else if effects.outside {
+                before.extend(bound.drain(..));
                 before.extend(told.replace(at));
             }
             if effects.leaves {

@@ -48,7 +48,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     pub(super) fn of(several: &'t Several<'p, 'm>, list: &[Statement<'m>], free: &'t Free) -> Self {
         let (regions, keys) = owners(several.places, list, &several.states);
         let effects = list.iter().map(Effects::of).list();
-        let parts = cut(several.places, list.to_vec(), &effects, &regions, &keys);
+        let parts = cut((several.places, &several.situations()), list.to_vec(), &effects, &regions, &keys);
         let mut later = vec![Set::new()];
         for part in parts.iter().rev() {
             let mut reads = later.last().cloned().unwrap_or_default();

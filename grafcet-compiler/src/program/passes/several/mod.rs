@@ -34,6 +34,7 @@ use super::super::{Deadline, Expr, Initial, Meeting, PlaceId, PlaceInfo, Program
 use super::belonging::{Kept, finer};
 use super::dead::read_after;
 use super::engine::{Among, Engine, Fact};
+use super::excluding::Situations;
 use super::flat::flat;
 use super::fold::initial;
 use super::hoist;
@@ -222,6 +223,10 @@ impl<'p, 'm> Several<'p, 'm> {
         }
     }
 
+    pub(super) fn situations(&self) -> Situations<'_> {
+        Situations { states: &self.states, was: &self.was, beside: self.beside }
+    }
+
     /// The region that a step belongs to.
     pub(super) fn region_with(&self, step: StepId) -> Option<usize> {
         self.points.iter().position(|points| points.of_step(step).is_some())
@@ -303,8 +308,9 @@ impl<'p, 'm> Several<'p, 'm> {
         let body = spread(self.places, body, &off);
         let copies = self.copies(&body, env);
         let looked = Looked::at(self.places, body);
-        let by_group = finer(self.places, &looked, &off, &copies);
-        let mut parts = by_group.unwrap_or_else(|| looked.parts(self.places));
+        let situations = self.situations();
+        let by_group = finer((self.places, &situations), &looked, &off, &copies);
+        let mut parts = by_group.unwrap_or_else(|| looked.parts(self.places, &situations));
         join_wide(&mut parts, self.places);
         // By part, from the last one on: what is read after it.
         let mut later = vec![env.later.clone()];

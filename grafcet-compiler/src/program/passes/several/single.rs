@@ -7,11 +7,12 @@ use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
-use super::super::uses::{each_asked, each_written, writes_to};
+use super::super::uses::{Effects, each_asked, each_written, writes_to};
 use super::{Env, Several, Tie};
 use crate::list::List;
 use crate::model::{Id, StepId};
-use crate::program::{Arm, PlaceId, Statement, Type, Value};
+use crate::program::{Arm, Expr, PlaceId, Statement, Type, Value};
+use crate::sorted::Set;
 
 /// More ways from one state than this are too many.
 const WAYS: usize = 64;
@@ -25,6 +26,17 @@ const DISPATCH: usize = 2;
 impl<'m> Several<'_, 'm> {
     /// A part of one region: an arm for each of its states.
     pub(in super::super) fn single(&self, region: usize, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
+        if let Some((before, rest)) = self.of_state_before(region, &part, env) {
+            let mut known = env.clone();
+            each_asked(&rest, &mut |place| _ = known.later.insert(place));
+            let mut done = self.by_state_before(region, &before, &known);
+            if !rest.is_empty() {
+                let mut env = env.clone();
+                self.after(&before, &mut env);
+                done.extend(self.single(region, Part { statements: rest, regions: part.regions }, &env));
+            }
+            return done;
+        }
         let Fact::Among(list) = env.facts[self.states[region].0] else { return part.statements };
         let states = env.lists[list].clone();
         let Some(mut arms) = self.arms(region, &states, &part.statements, env) else { return part.statements };
@@ -33,6 +45,66 @@ impl<'m> Several<'_, 'm> {
         let joined = self.joined(region, &mut arms);
         let whole = weight(&joined) + if joined.len() > 1 { DISPATCH } else { 0 };
         if weight(std::slice::from_ref(&plain)) <= whole { vec![plain] } else { joined }
+    }
+
+    /// What asks for the state before, as what is done when a step is left, and the rest of a part in which nothing evolves, if the first can be done first.
+    #[allow(clippy::type_complexity, reason = "two lists")]
+    fn of_state_before(
+        &self,
+        region: usize,
+        part: &Part<'m>,
+        env: &Env,
+    ) -> Option<(Vec<Statement<'m>>, Vec<Statement<'m>>)> {
+        let was = self.was[region]?;
+        if self.decides(&part.statements) {
+            return None;
+        }
+        let later = self.later(env);
+        let (mut before, mut rest) = (Vec::new(), Vec::new());
+        let (mut truths, mut passed): (Set<PlaceId>, Effects) = (Set::new(), Effects::default());
+        for one in &part.statements {
+            let (truth, condition) = match one {
+                Statement::Set(truth, value) if !later.contains(*truth) => (Some(*truth), Some(value)),
+                Statement::If(condition, _, otherwise) if otherwise.is_empty() => (None, Some(condition)),
+                _ => (None, None),
+            };
+            let parts = match condition {
+                Some(Expr::All(parts)) => &parts[..],
+                Some(one) => std::slice::from_ref(one),
+                None => &[],
+            };
+            let asks = |part: &Expr<'m>| match part {
+                Expr::Is(place, _) => *place == was,
+                Expr::Place(place) => truths.contains(place),
+                _ => false,
+            };
+            if parts.iter().any(asks) && Effects::of(one).may_swap(&passed) {
+                truths.extend(truth);
+                before.push(one.clone());
+            } else {
+                passed.add(one);
+                rest.push(one.clone());
+            }
+        }
+        // Who asks for a truth later has to find it set.
+        let is_left = truths.iter().all(|truth| !passed.reads.contains(truth));
+        (before.len() > 1 && is_left).then_some((before, rest))
+    }
+
+    /// For each state before what is done.
+    fn by_state_before(&self, region: usize, list: &[Statement<'m>], env: &Env) -> Vec<Statement<'m>> {
+        let Some(was) = self.was[region] else { return list.to_vec() };
+        let mut arms = Vec::new();
+        for step in self.possible(region) {
+            let mut env = env.clone();
+            env.facts[was.0] = Fact::Is(Value::Step(step));
+            let (body, _) = self.folded(list, &env);
+            let body = self.swept(body, &env);
+            if !body.is_empty() {
+                arms.push((vec![Value::Step(step)], body));
+            }
+        }
+        vec![Statement::Match(was, merged(arms), Vec::new())]
     }
 
     /// What is done on all ways from some states of a region.
