@@ -1,6 +1,6 @@
 //! What a chart is from outside: which steps share a state, and the program that its cycle is printed from. No tokens yet.
 
-use crate::analysis::{Facts, combinational};
+use crate::analysis::Facts;
 use crate::list::List;
 use crate::model::{Model, StepId, VarId};
 use crate::program::{self, Program, Refused, Regions};
@@ -26,7 +26,7 @@ impl<'m> Plan<'m> {
     pub(crate) fn of(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Self {
         let regions = Regions::of(model, &facts.concurrency, &facts.initial);
         let program = program::optimised(model, facts, &regions, recorded);
-        let combinational = combinational::in_order(model);
+        let combinational = facts.combinational(model);
         Self {
             one_step: regions.is_single(),
             regions,

@@ -28,7 +28,7 @@ fn step(model: &Model, name: &str) -> StepId {
 fn told(dialect: &str, chart: &str) -> (bool, bool) {
     let model = resolved(dialect, chart);
     let nesting = Nesting::of(&model).expect("well nested");
-    (nesting.tells_all(&[]), nesting.returns_to(&[step(&model, "O")], &[]))
+    (nesting.tells_all(&model, &[]), nesting.returns_to(&model, &[step(&model, "O")], &[]))
 }
 
 /// The same in both dialects.

@@ -4,7 +4,7 @@
 
 use super::combinational::written_out;
 use super::explore::{Answer, Doubt, Exploration, Limits, Stay, alone};
-use super::{Facts, Logic, Nesting, visible};
+use super::{Facts, Logic, visible};
 use crate::list::{List, PushAll};
 use crate::model::{Claim, Effect, Expr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree, Ty};
 use crate::sorted::Set;
@@ -90,7 +90,7 @@ type Triggers<'m> = Vec<(&'m Property, Answer)>;
 pub(crate) struct Claims<'m> {
     model: &'m Model,
     limits: Limits,
-    never: &'m [&'m Tree],
+    facts: &'m Facts<'m>,
     /// Of the chart, for all rules.
     pub(crate) exploration: Exploration,
     /// What can be violated, or is not decided.
@@ -102,15 +102,9 @@ pub(crate) struct Claims<'m> {
 }
 
 impl<'m> Claims<'m> {
-    /// Explores the chart; `mixed` is what nobody can say the value of, which is no matter of a proof.
-    pub(crate) fn of(
-        model: &'m Model,
-        logic: &Logic<'_>,
-        limits: Limits,
-        facts: &'m Facts<'m>,
-        mixed: &Set<Place>,
-    ) -> Self {
-        let never = &facts.never[..];
+    /// Explores the chart. Nobody can say the value of what has actions of two kinds, which is no matter of a proof.
+    pub(crate) fn of(model: &'m Model, logic: &Logic<'_>, limits: Limits, facts: &'m Facts<'m>) -> Self {
+        let mixed = facts.mixed(model);
         let mut open = Vec::new();
         let mut claimed: Vec<(&Property, Tree)> = Vec::new();
         let known = |property: &&Property| !property.claim.expressions().iter().any(|expr| reads_any(expr, mixed));
@@ -147,7 +141,8 @@ impl<'m> Claims<'m> {
         let watched: Vec<&Tree> = claimed.iter().and(&sought).map(|(_, tree)| tree).list();
         let exploration = Exploration::with(model, facts, &limits, &watched);
         let mut left = Left { limits, open: 0 };
-        let mut alone = |tree: &Tree| left.of(|limits| alone::watched(model, limits, tree, never, claimed.len() == 1));
+        let mut alone =
+            |tree: &Tree| left.of(|limits| alone::watched((model, facts), limits, tree, claimed.len() == 1));
         for (index, (property, violation)) in claimed.iter().enumerate() {
             let answer = exploration.watched(index);
             let asked = matches!(answer, Answer::Unknown(_)).then(|| alone(violation));
@@ -163,7 +158,7 @@ impl<'m> Claims<'m> {
                 answer => open.push((*property, answer)),
             }
         }
-        let mut claims = Self { model, limits, never, exploration, open, away: Vec::new(), triggers };
+        let mut claims = Self { model, limits, facts, exploration, open, away: Vec::new(), triggers };
         for (index, (property, trigger)) in sought.iter().enumerate() {
             let answer = claims.exploration.watched(claimed.len() + index);
             // Where the property itself was not decided, this will not be either.
@@ -186,10 +181,10 @@ impl<'m> Claims<'m> {
     fn ways_home(&mut self, has_watched: bool) {
         let model = self.model;
         let has_home = model.properties.iter().any(|property| matches!(property.claim, Claim::Home(..)));
-        let nesting = if has_home { Nesting::of(model) } else { None };
+        let nesting = if has_home { self.facts.nesting(model) } else { None };
         for property in &model.properties {
             let Claim::Home(home, _) = &property.claim else { continue };
-            if nesting.as_ref().is_some_and(|nesting| nesting.returns_to(home, self.never)) {
+            if nesting.is_some_and(|nesting| nesting.returns_to(model, home, &self.facts.never)) {
                 continue;
             }
             match self.away_from(home, &[], has_watched) {
@@ -202,7 +197,8 @@ impl<'m> Claims<'m> {
     /// Whether there is a situation without a way home, nor to where the chart stays; `has_watched` where the exploration
     /// has followed other properties, too.
     pub(crate) fn away_from(&self, home: &[StepId], stays: &[Stay], has_watched: bool) -> Answer {
-        let alone = |only: bool| alone::away_from(self.model, &self.limits, (home, stays), self.never, only);
+        let chart = (self.model, self.facts);
+        let alone = |only: bool| alone::away_from(chart, &self.limits, (home, stays), only);
         // What it does not touch does not decide about it: neither other partial grafcets nor other properties.
         alone(true).unwrap_or_else(|| {
             let answer = self.exploration.away_but_for(home, stays);

@@ -7,7 +7,7 @@
 
 use std::collections::VecDeque;
 
-use super::{Logic, Relation, pairs};
+use super::{Logic, Relation, hierarchy, pairs};
 use crate::list::List;
 use crate::model::{Any, ForceOrder, Id, Model, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
@@ -64,16 +64,20 @@ impl Concurrency {
     /// not rely on that.
     #[must_use]
     pub fn across_partials(&self, model: &Model) -> Self {
-        self.across_partials_but_for(model, &Set::new())
+        self.across_partials_from(model, &hierarchy::initial_situation(model), &Set::new())
     }
 
-    /// The same if these transitions asked for no steps.
-    #[must_use]
-    pub fn across_partials_but_for(&self, model: &Model, granted: &Set<TransitionId>) -> Self {
+    /// The same from a known initial situation, if the `granted` transitions asked for no steps.
+    pub(super) fn across_partials_from(
+        &self,
+        model: &Model,
+        initial: &Set<StepId>,
+        granted: &Set<TransitionId>,
+    ) -> Self {
         if model.partials.len() < 2 || model.steps.len() > ACROSS {
             return self.clone();
         }
-        let pairs::Pairs { relation, reachable, clears } = pairs::of(model, &self.relation, granted);
+        let pairs::Pairs { relation, reachable, clears } = pairs::of(model, &self.relation, initial, granted);
         Self { relation, reachable, clears, unsafe_steps: self.unsafe_steps.clone() }
     }
 

@@ -1,8 +1,7 @@
 //! What never happens: transitions that never clear, steps that are never active, and what of that follows from what.
 
-use super::Concurrency;
+use super::Facts;
 use super::explore::Exploration;
-use super::hierarchy::initial_situation;
 use crate::list::{List, PushAll};
 use crate::model::{Blinker, ForceOrder, Id, Model, Name, Read, StepId, Transition, TransitionId};
 use crate::sorted::Set;
@@ -11,8 +10,7 @@ use crate::sorted::Set;
 pub(crate) struct Dead<'m> {
     model: &'m Model,
     exploration: &'m Exploration,
-    /// What the drawing alone allows.
-    structure: &'m Concurrency,
+    facts: &'m Facts<'m>,
     /// The transitions that never clear although each of their sources can be active.
     pub(crate) idle: Set<TransitionId>,
     /// The steps that are never active.
@@ -29,10 +27,11 @@ pub(crate) struct Explained {
 }
 
 impl<'m> Dead<'m> {
-    /// What the exploration has found; `structure` is that of independent partial grafcets.
-    pub(crate) fn of(model: &'m Model, structure: &'m Concurrency, exploration: &'m Exploration) -> Self {
+    /// What the exploration has found.
+    pub(crate) fn of(model: &'m Model, facts: &'m Facts<'m>, exploration: &'m Exploration) -> Self {
         let lost = model.steps.ids().filter(|step| !exploration.reachable(*step)).list();
-        Self { model, exploration, structure, idle: idle(model, exploration), lost, drawn: drawn(model) }
+        let drawn = drawn(model, &facts.initial);
+        Self { model, exploration, facts, idle: idle(model, exploration), lost, drawn }
     }
 
     /// Whether arrows lead to a step from where the chart starts, whatever the conditions.
@@ -57,7 +56,7 @@ impl<'m> Dead<'m> {
         let mut follow = self.waiting_for_others();
         let is_barred = |id: &&TransitionId| self.exploration.is_barred(**id);
         if !said.is_empty() && self.idle.iter().any(|id| is_barred(&id)) {
-            let otherwise = self.structure.across_partials_but_for(self.model, said);
+            let otherwise = self.facts.assumed.across_partials_from(self.model, &self.facts.initial, said);
             follow.extend(self.idle.iter().filter(is_barred).filter(|id| otherwise.can_clear(**id)));
         }
         follow
@@ -153,7 +152,7 @@ impl<'m> Dead<'m> {
         }
         // It could clear, as it is drawn, if something else did of which it was said that it never does.
         let depends = self.exploration.is_barred(id) || !self.exploration.is_enabled(id) || self.reads_steps(id);
-        depends && self.structure.can_clear(id) && !explained.transitions.is_empty()
+        depends && self.facts.assumed.can_clear(id) && !explained.transitions.is_empty()
     }
 
     fn reads_steps(&self, id: TransitionId) -> bool {
@@ -179,9 +178,9 @@ fn idle(model: &Model, exploration: &Exploration) -> Set<TransitionId> {
 }
 
 /// The steps to which arrows lead from where the chart starts, whatever the conditions.
-fn drawn(model: &Model) -> Vec<bool> {
+fn drawn(model: &Model, initial: &Set<StepId>) -> Vec<bool> {
     let mut drawn = vec![false; model.steps.len()];
-    let mut work: Vec<StepId> = initial_situation(model).into_iter().list();
+    let mut work: Vec<StepId> = initial.iter().copied().list();
     work.push_all(model.steps.iter().filter(|(_, step)| step.linked).map(|(id, _)| id));
     for force in model.forces.values() {
         match &force.order {

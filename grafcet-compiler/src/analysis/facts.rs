@@ -2,9 +2,11 @@
 
 use std::cell::OnceCell;
 
-use super::{Concurrency, Searches, Situations, Stability, exclusive, hierarchy, searches};
+use super::{
+    Concurrency, Nesting, Searches, Situations, Stability, combinational, exclusive, hierarchy, mixed, searches,
+};
 use crate::list::List;
-use crate::model::{Model, PartialId, StepId, Tree};
+use crate::model::{Model, PartialId, Place, StepId, Tree, VarId};
 use crate::sorted::Set;
 
 /// The facts of a chart whose drawing is in order.
@@ -20,6 +22,9 @@ pub struct Facts<'m> {
     /// The partial grafcets, what forces or encloses before what is forced or enclosed.
     pub top_down: Vec<PartialId>,
     /// Found out when somebody asks.
+    combinational: OnceCell<Vec<VarId>>,
+    mixed: OnceCell<Set<Place>>,
+    nesting: OnceCell<Option<Nesting>>,
     across: OnceCell<Concurrency>,
     stability: OnceCell<Stability>,
     searches: OnceCell<Searches>,
@@ -35,12 +40,16 @@ impl<'m> Facts<'m> {
         let never: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).list();
         let concurrency = Concurrency::of(model);
         let assumed = if never.is_empty() { concurrency.clone() } else { Concurrency::assuming(model, &never) };
+        let top_down = hierarchy::top_down(model);
         Self {
             never,
             concurrency,
             assumed,
-            initial: hierarchy::initial_situation(model),
-            top_down: hierarchy::top_down(model),
+            initial: hierarchy::initial_situation_of(model, &top_down),
+            top_down,
+            combinational: OnceCell::new(),
+            mixed: OnceCell::new(),
+            nesting: OnceCell::new(),
             across: OnceCell::new(),
             stability: OnceCell::new(),
             searches: OnceCell::new(),
@@ -48,6 +57,23 @@ impl<'m> Facts<'m> {
             left_and_entered: OnceCell::new(),
             situations: OnceCell::new(),
         }
+    }
+
+    /// The combinational variables, each after those it reads.
+    #[must_use]
+    pub(crate) fn combinational(&self, model: &Model) -> &[VarId] {
+        self.combinational.get_or_init(|| combinational::in_order(model))
+    }
+
+    /// Places with actions of two kinds.
+    #[must_use]
+    pub(crate) fn mixed(&self, model: &Model) -> &Set<Place> {
+        self.mixed.get_or_init(|| mixed(model))
+    }
+
+    /// What is known of a chart that is well nested.
+    pub(super) fn nesting(&self, model: &Model) -> Option<&Nesting> {
+        self.nesting.get_or_init(|| Nesting::starting(model, &self.initial)).as_ref()
     }
 
     /// Per step, whether at most one of its transitions can clear at a time: by priority in an `sfc`, by their conditions in a `grafcet`.
@@ -72,7 +98,7 @@ impl<'m> Facts<'m> {
     /// Which steps can be active together where what partial grafcets do to each other counts, too, if what the chart assumes is true.
     #[must_use]
     pub fn across(&self, model: &Model) -> &Concurrency {
-        self.across.get_or_init(|| self.assumed.across_partials(model))
+        self.across.get_or_init(|| self.assumed.across_partials_from(model, &self.initial, &Set::new()))
     }
 
     /// Whether the circles of a chart tell that each of its searches ends before its bound.

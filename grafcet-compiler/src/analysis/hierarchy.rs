@@ -31,9 +31,14 @@ pub fn masters(model: &Model, partial: PartialId) -> Vec<PartialId> {
 /// active at the start its initial steps (A18), or its linked ones where a forcing order has activated it (A15, A21).
 #[must_use]
 pub fn initial_situation(model: &Model) -> Set<StepId> {
+    initial_situation_of(model, &top_down(model))
+}
+
+/// The same of partial grafcets from top to bottom.
+pub(super) fn initial_situation_of(model: &Model, top_down: &[PartialId]) -> Set<StepId> {
     let mut active = Set::new();
     let mut forced = Set::new();
-    for id in top_down(model) {
+    for id in top_down.iter().copied() {
         let partial = &model.partials[id];
         let steps = |wanted: fn(&crate::model::Step) -> bool| {
             partial.steps.iter().copied().filter(|step| wanted(&model.steps[*step])).list()

@@ -1,6 +1,6 @@
 //! What is known of the searches for stability of a `grafcet` (A30): where they end, and after how many evolutions they are given up.
 
-use super::{Concurrency, Ends, Facts, Stability, explore};
+use super::{Ends, Facts, Stability, explore};
 use crate::model::Model;
 
 /// How many units of work it is worth to find out that the searches of a chart end, where its circles do not tell.
@@ -28,17 +28,12 @@ impl Searches {
         let open = !facts.all_end(model);
         Self {
             // Who forces a chart can bring situations and values together that no exploration has seen.
-            may_go_on: open && (model.forceable || !explore::settles(model, WORK)),
+            may_go_on: open && (model.forceable || !explore::settles(model, facts, WORK)),
             comes_back: Stability::goes_on_after(model, &facts.concurrency, bound),
             ends: facts.stability(model).ends().clone(),
             bound,
         }
     }
-}
-
-/// The same as [`Facts::all_end`] where nothing is known yet.
-pub(crate) fn all_end(model: &Model) -> bool {
-    !model.is_grafcet() || are_ended(model, &Stability::of(model, &Concurrency::of(model)))
 }
 
 pub(super) fn are_ended(model: &Model, stability: &Stability) -> bool {

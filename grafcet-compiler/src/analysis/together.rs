@@ -2,9 +2,10 @@
 
 use super::diagram::diagram;
 use super::explore::{Limits, Wanted};
-use super::{Concurrency, Facts, Nesting, explore};
+use super::{Concurrency, Facts, explore};
 use crate::list::{List, PushAll};
 use crate::model::{Id, Model, Name, Read, StepId};
+use crate::sorted::Set;
 
 /// Of charts with more steps a stored situation is not looked at: a table of pairs grows with the square of their number.
 const MOST_STEPS: usize = 256;
@@ -43,12 +44,12 @@ impl Situations {
     #[must_use]
     pub fn of(model: &Model, facts: &Facts<'_>) -> Self {
         let row = model.steps.len().div_ceil(8);
-        if let Some(all) = Self::all(model, row) {
+        if let Some(all) = Self::all(model, facts, row) {
             return all;
         }
         let exclusive = Concurrency::of_exclusive_branches(model);
-        let concurrency = facts.concurrency.across_partials(model);
-        let mut is_whole = Nesting::of(model).is_some();
+        let concurrency = facts.concurrency.across_partials_from(model, &facts.initial, &Set::new());
+        let mut is_whole = facts.nesting(model).is_some();
         let mut table = Vec::with_capacity(row * model.steps.len());
         for a in model.steps.ids() {
             let mut others = Vec::new();
@@ -64,13 +65,13 @@ impl Situations {
         if is_whole {
             return Self::Whole(table);
         }
-        let parts = parts(model, row);
+        let parts = parts(model, facts, row);
         if parts.is_empty() { Self::Pairs(table) } else { Self::Parts(table, parts) }
     }
 
     /// Those and no others, where they are found.
-    fn all(model: &Model, row: usize) -> Option<Self> {
-        let found = explore::situations(model, wanted(model))?;
+    fn all(model: &Model, facts: &Facts<'_>, row: usize) -> Option<Self> {
+        let found = explore::situations(model, facts, wanted(model))?;
         let diagram = diagram(&found.iter().map(|steps| &steps[..]).list())?;
         // One of a few rows has few nodes.
         let is_listed = found.len() * row <= diagram.len();
@@ -85,13 +86,13 @@ fn wanted(model: &Model) -> Wanted {
 }
 
 /// The pieces of partial grafcets, where the chart is too large for its situations to be found as a whole.
-fn parts(model: &Model, row: usize) -> Vec<u8> {
+fn parts(model: &Model, facts: &Facts<'_>, row: usize) -> Vec<u8> {
     let mut parts = Vec::new();
     // A number of its own says that nothing encloses a piece.
     if model.steps.len() > usize::from(NOTHING) {
         return parts;
     }
-    for piece in explore::pieces(model, wanted(model)) {
+    for piece in explore::pieces(model, facts, wanted(model)) {
         let Some(nodes) = diagram(&piece.situations.iter().map(|steps| &steps[..]).list()) else { continue };
         let byte = |number: usize| u8::try_from(number).unwrap_or(NOTHING);
         parts.push_all(bits(&piece.steps, row));

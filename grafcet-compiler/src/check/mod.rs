@@ -29,7 +29,7 @@ mod waits;
 pub use initial::initial_values;
 
 use crate::analysis::explore::{Exploration, Limits};
-use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Prover, Races, mixed};
+use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Prover, Races};
 use crate::diagnostic::{Sink, rules};
 use crate::list::{List, PushAll};
 use crate::model::{Model, Name, Read, TransitionId, Tree};
@@ -58,17 +58,17 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     let (never, structure, concurrency) = (&facts.never[..], &facts.assumed, facts.across(model));
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let logic = Logic::within(model, concurrency, never);
-    let mixed = mixed(model);
-    let claims = Claims::of(model, &logic, limits, facts, &mixed);
+    let mixed = facts.mixed(model);
+    let claims = Claims::of(model, &logic, limits, facts);
     let exploration = &claims.exploration;
     let conditions = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).list();
     let constants = Constants::of(model, &logic, &conditions);
-    let dead = Dead::of(model, structure, exploration);
+    let dead = Dead::of(model, facts, exploration);
     // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and after an evolution act
     // in the same cycle, so that steps can race which are never active together.
     let seen = concurrency.without(|a, b| !exploration.together(a, b));
     let racing = if model.is_grafcet() { &seen } else { concurrency };
-    let races = Races::of(model, racing, &limits, never);
+    let races = Races::of(model, facts, racing, &limits);
     let branches = Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions };
     let rivalry = branches.rivalry(&not_compared(model, &dead, &constants, sink));
     // Of these one of the rules of conditions and branches says that they never clear.
@@ -87,7 +87,7 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
         safety::check(model, exploration, sink)
     } else {
         let never: Vec<&Tree> = never.iter().copied().and(&presumed).list();
-        safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink)
+        safety::check(model, &Exploration::presuming(model, facts, &limits, &[], &never), sink)
     };
     let mut stays = waits::check(model, structure, exploration, &never_clear, &mut told, sink);
     stays.push_all(reach::dead_ends(model, &never_clear, sink));
@@ -96,10 +96,10 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     silent::check(model, exploration, &dead, told, sink);
     vacuous::check(model, &claims, &rulings, sink);
     let asked = prover.map(|prover| (prover, facts));
-    race::check(model, &refuted::left(model, &races, &mixed, asked), &mixed, sink);
+    race::check(model, &refuted::left(model, &races, mixed, asked), mixed, sink);
     contention::check(model, &seen, never, sink);
     if !sink.broke(&rules::WRONG_TARGET) {
-        set_reset::check(model, concurrency, &mixed, sink);
+        set_reset::check(model, concurrency, mixed, sink);
         usage::check(model, sink);
     }
     if model.is_grafcet() {

@@ -22,11 +22,11 @@ pub(crate) use search::alone;
 pub use search::settles::settles;
 pub(crate) use search::situations::{Wanted, pieces, situations};
 pub(crate) use verdicts::home::Stay;
+pub(crate) use verdicts::rivals::{Rival, rivals_meeting};
 pub use verdicts::{
     contention::smallest,
     meeting::{Meeting, Parting},
     path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin},
-    rivals::{Rival, rivals_meeting},
 };
 
 use self::limits::{answers, length, limit, several};
@@ -37,11 +37,10 @@ use self::search::whole::{Budget, Detail, explore_whole};
 use self::search::{Search, settles as stability};
 use self::verdicts::Report;
 use self::verdicts::future::Future;
-use super::searches::all_end;
-use super::{Concurrency, Facts, Nesting};
+use super::{Concurrency, Facts};
 use crate::list::{List, PushAll};
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// The reachable situations of a chart.
 pub struct Exploration {
@@ -70,14 +69,6 @@ pub struct Exploration {
     work: u64,
 }
 
-/// What is asked of a chart where an exploration needs it.
-struct Known<'k> {
-    /// Whether each search for stability comes to its end.
-    end: &'k dyn Fn() -> bool,
-    /// Which steps can be active together, as far as the structure tells.
-    structure: &'k dyn Fn() -> Concurrency,
-}
-
 impl Exploration {
     /// Explores a chart.
     #[must_use]
@@ -94,27 +85,44 @@ impl Exploration {
     /// The same without the inputs for which one of `assumed_never` holds.
     #[must_use]
     pub fn assuming(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
-        let structure = || Concurrency::assuming(model, assumed_never).across_partials(model);
-        let known = Known { end: &|| all_end(model), structure: &structure };
-        Self::knowing(model, limits, watched, assumed_never, &known)
+        Self::presuming(model, &Facts::of(model), limits, watched, assumed_never)
+    }
+
+    /// The same of a chart of which facts are known.
+    pub(crate) fn presuming(
+        model: &Model,
+        facts: &Facts<'_>,
+        limits: &Limits,
+        watched: &[&Tree],
+        never: &[&Tree],
+    ) -> Self {
+        let structure = || Concurrency::assuming(model, never).across_partials_from(model, &facts.initial, &Set::new());
+        Self::knowing((model, facts), limits, watched, never, &structure)
     }
 
     /// The same of a chart of which facts are known, without the inputs that it assumes never to come.
     #[must_use]
     pub fn with(model: &Model, facts: &Facts<'_>, limits: &Limits, watched: &[&Tree]) -> Self {
-        let known = Known { end: &|| facts.all_end(model), structure: &|| facts.across(model).clone() };
-        Self::knowing(model, limits, watched, &facts.never, &known)
+        Self::knowing((model, facts), limits, watched, &facts.never, &|| facts.across(model).clone())
     }
 
-    fn knowing(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree], known: &Known<'_>) -> Self {
-        let mut net = Net::of(model, watched, assumed_never);
+    /// `structure` tells which steps can be active together, where that is asked for.
+    fn knowing(
+        (model, facts): (&Model, &Facts<'_>),
+        limits: &Limits,
+        watched: &[&Tree],
+        assumed_never: &[&Tree],
+        structure: &dyn Fn() -> Concurrency,
+    ) -> Self {
+        let end = || facts.all_end(model);
+        let mut net = Net::of(model, facts, watched, assumed_never);
         let mut seen = Seen::nothing(&net);
         let (limit, several) = (limit(&net, limits), several(&net));
         // Each situation takes more than one unit.
-        let nesting = Nesting::of(model).filter(|nesting| nesting.situations() > limit && watched.is_empty());
-        let is_told = nesting.is_some_and(|nesting| nesting.tells_all(assumed_never));
+        let nesting = facts.nesting(model).filter(|nesting| nesting.situations() > limit && watched.is_empty());
+        let is_told = nesting.is_some_and(|nesting| nesting.tells_all(model, assumed_never));
         let mut budget = Budget { limit: if limits.only_ways || is_told { 0 } else { limit }, work: 0 };
-        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, Detail::Rough, known.end);
+        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, Detail::Rough, &end);
         // In a `grafcet` a search for stability that does not come to an end stops wherever its bound lies.
         let approximate = net.approximate || net.grafcet && sooner.is_some();
         let mut watched = answers(&net, sooner.as_ref(), &whole);
@@ -122,13 +130,13 @@ impl Exploration {
             // Times that fall back may be what makes it possible.
             let mut budget = Budget { limit, work: 0 };
             let (whole, sooner) =
-                explore_whole(&net, several, &mut budget, &mut Seen::nothing(&net), Detail::Timed, known.end);
+                explore_whole(&net, several, &mut budget, &mut Seen::nothing(&net), Detail::Timed, &end);
             watched = answers(&net, sooner.as_ref(), &whole);
         }
         let settles = sooner.is_none() && stability::settled(&net, &whole);
-        let end = settles || (known.end)();
+        let end = settles || end();
         let mut covered = vec![whole.complete; net.units];
-        net.structure = (!whole.complete).then(known.structure);
+        net.structure = (!whole.complete).then(structure);
         let mut pieces = Vec::new();
         if !whole.complete && several {
             for unit in (0..net.units).filter(|unit| net.has_arcs[*unit]) {

@@ -16,8 +16,7 @@ use crate::model::{Id, InputId, Model, Name, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
 /// A chart that is one sequence in the end.
-pub struct Nesting<'m> {
-    model: &'m Model,
+pub struct Nesting {
     /// What stands in the outermost sequence.
     nodes: Vec<Node>,
     /// Per node those that arrows lead to it from.
@@ -52,16 +51,21 @@ impl Arc {
     }
 }
 
-impl<'m> Nesting<'m> {
+impl Nesting {
     /// Reduces a chart; `None` if it is not well nested.
     #[must_use]
-    pub fn of(model: &'m Model) -> Option<Self> {
+    pub fn of(model: &Model) -> Option<Self> {
+        Self::starting(model, &initial_situation(model))
+    }
+
+    /// The same from a known initial situation.
+    pub(super) fn starting(model: &Model, initial: &Set<StepId>) -> Option<Self> {
         let ends = |arcs: &[StepId]| arcs.is_empty();
         let open = model.transitions.values().any(|arc| ends(&arc.sources) || ends(&arc.targets));
         if open || model.partials.len() != 1 || !model.forces.is_empty() {
             return None;
         }
-        let mut reduction = Reduction::new(model);
+        let mut reduction = Reduction::new(model, initial);
         while reduction.arcs.iter().any(|arc| arc.outside && !arc.is_plain()) {
             if !reduction.round() {
                 return None;
@@ -79,18 +83,18 @@ impl<'m> Nesting<'m> {
     /// Nothing is to be found out by exploring the chart: it does whatever its structure allows. `never` are the
     /// inputs that do not occur.
     #[must_use]
-    pub fn tells_all(&self, never: &[&Tree]) -> bool {
-        never.is_empty() && self.independent && free::is_free(self.model, never) && free::can_wait(self.model, never)
+    pub fn tells_all(&self, model: &Model, never: &[&Tree]) -> bool {
+        never.is_empty() && self.independent && free::is_free(model, never) && free::can_wait(model, never)
     }
 
     /// From every situation there is a way to exactly `home`; `false` where that does not follow from the structure.
     #[must_use]
-    pub fn returns_to(&self, home: &[StepId], never: &[&Tree]) -> bool {
+    pub fn returns_to(&self, model: &Model, home: &[StepId], never: &[&Tree]) -> bool {
         let [home] = home else { return false };
         let Some(node) = self.nodes.iter().position(|node| node.step == Some(*home)) else { return false };
         reached(&[node], &self.before).iter().all(|returns| *returns)
-            && free::is_free(self.model, never)
-            && free::comes_to_rest(self.model, *home, never)
+            && free::is_free(model, never)
+            && free::comes_to_rest(model, *home, never)
     }
 }
 
@@ -116,8 +120,7 @@ struct Sequences {
 }
 
 impl<'m> Reduction<'m> {
-    fn new(model: &'m Model) -> Self {
-        let initial = initial_situation(model);
+    fn new(model: &'m Model, initial: &Set<StepId>) -> Self {
         let node = |step: StepId| Node {
             step: Some(step),
             active: initial.contains(&step),
@@ -258,7 +261,7 @@ impl<'m> Reduction<'m> {
     }
 
     /// What is left, if it is one sequence that goes on from each of its steps.
-    fn outermost(self) -> Option<Nesting<'m>> {
+    fn outermost(self) -> Option<Nesting> {
         let left: Vec<usize> = (0..self.nodes.len()).filter(|node| !self.inside[*node]).list();
         let number = |node: usize| left.binary_search(&node).unwrap_or_default();
         let (mut before, mut behind) = (vec![Vec::new(); left.len()], vec![Vec::new(); left.len()]);
@@ -272,7 +275,7 @@ impl<'m> Reduction<'m> {
         let is_sequence = active.len() == 1
             && behind.iter().all(|next| !next.is_empty())
             && reached(&active, &behind).iter().all(|is| *is);
-        is_sequence.then_some(Nesting { model: self.model, nodes, before, independent: self.independent })
+        is_sequence.then_some(Nesting { nodes, before, independent: self.independent })
     }
 }
 

@@ -21,9 +21,8 @@ use std::rc::Rc;
 use self::chart::{Arc, Chart};
 use self::demands::Demand;
 use super::Relation;
-use super::hierarchy::initial_situation;
 use crate::list::{List, PushAll};
-use crate::model::{Id, Model, TransitionId};
+use crate::model::{Id, Model, StepId, TransitionId};
 use crate::sorted::Set;
 
 /// What was found.
@@ -35,10 +34,10 @@ pub(super) struct Pairs {
     pub(super) clears: Vec<bool>,
 }
 
-/// The pairs among those that `may_meet`; what the conditions of `granted` ask for is taken for granted.
-pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>) -> Pairs {
+/// The pairs among those that `may_meet`, from the `initial` situation on; what the conditions of `granted` ask for is taken for granted.
+pub(super) fn of(model: &Model, may_meet: &Relation, initial: &Set<StepId>, granted: &Set<TransitionId>) -> Pairs {
     let mut search = Search::new(Chart::of(model, may_meet, granted), may_meet);
-    let start: Vec<usize> = initial_situation(model).iter().map(|step| step.index()).list();
+    let start: Vec<usize> = initial.iter().map(|step| step.index()).list();
     search.enter_together(&start);
     search.queue_all(&search.chart.sourceless.clone());
     // In rounds: what a transition leads to is looked at once for all that has become known meanwhile.

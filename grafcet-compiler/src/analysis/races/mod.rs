@@ -5,7 +5,7 @@
 mod causes;
 
 use super::explore::{Limits, Rival, rivals_meeting};
-use super::{Concurrency, Condition, Logic, Unlisted, meeting, unlisted};
+use super::{Concurrency, Condition, Facts, Logic, Unlisted, meeting, unlisted};
 use crate::list::{List, PushAll};
 use crate::model::{
     Association, AssociationId, Effect, Expr, Id, Model, Name, Place, Qualifier, Read, StepId, TransitionId, Tree,
@@ -44,10 +44,9 @@ pub struct Meet {
 }
 
 impl Races {
-    /// Finds them. `concurrency` tells which steps can be active together; inputs for which one of `never` holds do not count.
-    #[must_use]
-    pub fn of(model: &Model, concurrency: &Concurrency, limits: &Limits, never: &[&Tree]) -> Self {
-        let race = Race::new(model, concurrency, Logic::within(model, concurrency, never));
+    /// Finds them. `concurrency` tells which steps can be active together; inputs that the chart excludes do not count.
+    pub(crate) fn of(model: &Model, facts: &Facts<'_>, concurrency: &Concurrency, limits: &Limits) -> Self {
+        let race = Race::new(model, concurrency, Logic::within(model, concurrency, &facts.never));
         let mut pairs: Vec<(Place, Write<'_>, Write<'_>)> = Vec::new();
         for (place, writes) in race.collect() {
             let causes: Vec<Set<Cause>> = writes.iter().map(|write| race.causes(write.when, 0)).list();
@@ -68,7 +67,7 @@ impl Races {
         if model.is_grafcet() && !pairs.is_empty() {
             let rivals: Vec<(Rival<'_>, Rival<'_>)> =
                 pairs.iter().map(|(_, first, second)| (first.rival(model), second.rival(model))).list();
-            let mut met = rivals_meeting(model, limits, &rivals, never).into_iter();
+            let mut met = rivals_meeting(model, facts, limits, &rivals).into_iter();
             pairs.retain(|_| met.next() != Some(false));
         }
         let mut reported = Set::new();

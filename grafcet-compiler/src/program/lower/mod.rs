@@ -231,7 +231,7 @@ fn possible(model: &Model, facts: &Facts<'_>) -> Result<(), Refused> {
             return Err(Refused::Circle);
         }
     }
-    let vars = combinational::in_order(model);
+    let vars = facts.combinational(model);
     for (index, var) in vars.iter().enumerate() {
         if combinational::reads(model, *var).iter().any(|other| vars[index..].contains(other)) {
             return Err(Refused::Circle);

@@ -2,7 +2,7 @@
 
 use super::clocks::Clock;
 use super::{Clocks, Lower, Set};
-use crate::analysis::{Concurrency, Facts, combinational, edge_ends};
+use crate::analysis::{Concurrency, Facts, edge_ends};
 use crate::list::List;
 use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
 use crate::program::{Initial, PlaceId, PlaceInfo, Regions, Role, Type, Value};
@@ -95,7 +95,7 @@ impl<'r, 'm> Lower<'r, 'm> {
         };
         lower.first = lower.field("first".to_owned(), Role::First, Type::Bool, truth(true));
         lower.situation();
-        lower.declared();
+        lower.declared(facts);
         lower.clocks(facts);
         lower.remembered();
         lower.transitions();
@@ -172,7 +172,7 @@ impl<'r, 'm> Lower<'r, 'm> {
     }
 
     /// Outputs, variables and parameters.
-    fn declared(&mut self) {
+    fn declared(&mut self, facts: &Facts<'_>) {
         let model = self.model;
         for (id, output) in model.outputs.iter() {
             let initial = constant(output.init.as_ref());
@@ -188,8 +188,8 @@ impl<'r, 'm> Lower<'r, 'm> {
             let place = self.field(plain(&param.name), Role::Param(id), declared(&param.ty), initial);
             self.params.push(place);
         }
-        for var in combinational::in_order(model) {
-            let name = format!("now.{}", plain(&model.vars[var].name));
+        for var in facts.combinational(model) {
+            let name = format!("now.{}", plain(&model.vars[*var].name));
             self.combinational[var.index()] = Some(self.truth(name));
         }
         if model.is_grafcet() {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::analysis::{Concurrency, Condition, Logic, Stability, explore};
+use grafcet_compiler::analysis::{self, Concurrency, Condition, Logic, Stability, explore};
 use grafcet_compiler::model::{Effect, Expr, Id, Model, Place, Qualifier, StepId, TransitionId, Tree};
 use grafcet_sim::interp::Evolution;
 
@@ -91,7 +91,8 @@ impl Facts<'_> {
     fn stability(&mut self, graph: &Graph) {
         let model = self.model;
         if model.is_grafcet()
-            && (Stability::of(model, &Concurrency::of(model)).is_certain() || explore::settles(model, 1_000_000))
+            && (Stability::of(model, &Concurrency::of(model)).is_certain()
+                || explore::settles(model, &analysis::Facts::of(model), 1_000_000))
         {
             if let Some((_, edge)) = graph.cycles().find(|(_, edge)| !edge.stable) {
                 self.report("stable", replay::names(model, &graph.states[edge.to].situation).join(", "));

@@ -21,13 +21,13 @@ pub(super) fn check(
     let mut differ = |kind: &str, text: String| differences.push(Difference { kind: format!("nested: {kind}"), text });
     let Some(nesting) = Nesting::of(model) else { return (differences, [0; 2]) };
     let mut proved = 0;
-    for step in model.steps.ids().filter(|step| nesting.returns_to(&[*step], never)) {
+    for step in model.steps.ids().filter(|step| nesting.returns_to(model, &[*step], never)) {
         proved += 1;
         if graph.can_miss(model, &BTreeSet::from([step])) {
             differ("home", model.steps[step].name.to_string());
         }
     }
-    if !nesting.tells_all(never) {
+    if !nesting.tells_all(model, never) {
         return (differences, [proved, 0]);
     }
     let situations: BTreeSet<_> = graph.states.iter().map(|state| state.situation.clone()).collect();

@@ -7,6 +7,7 @@ use super::slice::Slice;
 use super::slots::Slots;
 use super::{Arc, Net, Order, Part};
 use super::{actions, clocks, unfollowed, units};
+use crate::analysis::Facts;
 use crate::analysis::explore::verdicts::rivals::Rival;
 use crate::list::List;
 use crate::model::{Arena, ForceOrder, Id, Model, PartialId, Step, StepId, TransitionId, Tree};
@@ -23,27 +24,28 @@ struct Subject<'a, 'm> {
 const FALSE: Tree = Tree::Bool(false);
 
 impl Net {
-    pub(crate) fn of(model: &Model, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
-        Self::with(model, &Subject { watched, rivals: &[], slice: None }, assumed_never)
+    pub(crate) fn of(model: &Model, facts: &Facts<'_>, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+        Self::with(model, facts, &Subject { watched, rivals: &[], slice: None }, assumed_never)
     }
 
     /// Only what decides about the watched expressions, or about where some steps are.
-    pub(crate) fn sliced(model: &Model, slice: &Slice, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
-        Self::with(model, &Subject { watched, rivals: &[], slice: Some(slice) }, assumed_never)
+    pub(crate) fn sliced(model: &Model, facts: &Facts<'_>, slice: &Slice, watched: &[&Tree]) -> Self {
+        Self::with(model, facts, &Subject { watched, rivals: &[], slice: Some(slice) }, &facts.never)
     }
 
     /// A chart of which pairs of stored actions are watched.
-    pub(crate) fn beside(model: &Model, rivals: &[(Rival<'_>, Rival<'_>)], assumed_never: &[&Tree]) -> Self {
-        Self::with(model, &Subject { watched: &[], rivals, slice: None }, assumed_never)
+    pub(crate) fn beside(model: &Model, facts: &Facts<'_>, rivals: &[(Rival<'_>, Rival<'_>)]) -> Self {
+        Self::with(model, facts, &Subject { watched: &[], rivals, slice: None }, &facts.never)
     }
 
-    fn with(model: &Model, subject: &Subject<'_, '_>, assumed_never: &[&Tree]) -> Self {
+    fn with(model: &Model, facts: &Facts<'_>, subject: &Subject<'_, '_>, assumed_never: &[&Tree]) -> Self {
         let Subject { watched, rivals, slice } = *subject;
         let kept = |id: TransitionId| slice.is_none_or(|slice| slice.has_transition(model, id));
         let asked = rivals.iter().flat(|(a, b)| a.conditions().and(b.conditions()));
         let asked: Vec<&Tree> = watched.iter().copied().and(asked).list();
-        let slots = Slots::of(model, &asked, &kept);
-        let mut compiler = Compiler::new(model, &slots.numbers);
+        let mixed = facts.mixed(model);
+        let slots = Slots::of(model, mixed, &asked, &kept);
+        let mut compiler = Compiler::new(model, &slots.numbers, mixed);
         let conditions: Vec<Formula> = model
             .transitions
             .iter()
@@ -80,7 +82,8 @@ impl Net {
             actions,
             initial_slots: slots.initial.clone(),
             shown_slots: slots.shown.clone(),
-            initial: crate::analysis::hierarchy::initial_situation(model)
+            initial: facts
+                .initial
                 .iter()
                 .filter(|step| slice.is_none_or(|slice| slice.has_step(model, **step)))
                 .copied()
@@ -113,7 +116,7 @@ impl Net {
             structure: None,
         };
         if net.parts.iter().any(|part| part.enclosed_by.is_some() || !part.orders.is_empty()) {
-            net.hierarchy = crate::analysis::hierarchy::top_down(model).iter().map(|id| id.index()).list();
+            net.hierarchy = facts.top_down.iter().map(|id| id.index()).list();
         }
         net.draw(model, conditions);
         net.note_edges();

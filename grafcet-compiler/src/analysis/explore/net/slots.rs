@@ -1,7 +1,6 @@
 //! Which boolean variables and outputs are followed from cycle to cycle: those that conditions read and whose writes are
 //! all understood.
 
-use crate::analysis::mixed;
 use crate::list::List;
 use crate::model::{
     Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, TransitionId, Tree, Ty,
@@ -34,10 +33,15 @@ pub(crate) struct Slots {
 }
 
 impl Slots {
-    /// Of a chart of which only these transitions are looked at.
-    pub(crate) fn of(model: &Model, watched: &[&Tree], kept: &dyn Fn(TransitionId) -> bool) -> Self {
+    /// Of a chart of which only these transitions are looked at; what is `mixed` is not followed.
+    pub(crate) fn of(
+        model: &Model,
+        mixed: &Set<Place>,
+        watched: &[&Tree],
+        kept: &dyn Fn(TransitionId) -> bool,
+    ) -> Self {
         let mut slots = Self { numbers: Map::new(), flip_flops: Map::new(), initial: Vec::new(), shown: Vec::new() };
-        let (writers, mixed) = (Writers::of(model), mixed(model));
+        let writers = Writers::of(model);
         for place in needed(model, &writers, watched, kept) {
             if mixed.contains(&place) || !writers.can_be_followed(model, place) {
                 continue;

@@ -2,6 +2,7 @@
 
 use super::graph::{Graph, Seen};
 use super::whole::{Budget, Detail, explore_whole};
+use crate::analysis::Facts;
 use crate::analysis::explore::Answer;
 use crate::analysis::explore::Limits;
 use crate::analysis::explore::limits::answers;
@@ -10,24 +11,22 @@ use crate::analysis::explore::limits::several;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::slice::Slice;
 use crate::analysis::explore::verdicts::home::{self, Stay};
-use crate::analysis::searches::all_end;
 use crate::model::{Model, StepId, Tree};
 
 /// Whether a situation can be reached from which there is no way to `home`, where only what decides about that is looked at;
 /// `None` where that is all of the chart, and nothing but the chart `was` looked at. The `others` count as home.
 #[must_use]
 pub(crate) fn away_from(
-    model: &Model,
+    (model, facts): (&Model, &Facts<'_>),
     limits: &Limits,
     (home, others): (&[StepId], &[Stay]),
-    never: &[&Tree],
     was_all: bool,
 ) -> Option<Answer> {
     let slice = Slice::of(model, home, &[]);
     if slice.is_none() && was_all {
         return None;
     }
-    let question = Question { model, limits, never };
+    let question = Question { model, limits, facts };
     let net = question.net(slice.as_ref(), &[]);
     let detail = if home::is_plain(&net) { Detail::Rough } else { Detail::Thorough };
     let (graph, _) = question.explore(&net, detail);
@@ -37,12 +36,17 @@ pub(crate) fn away_from(
 /// Whether an expression can hold at the end of a cycle, where only what decides about that is looked at; `None` where that
 /// is all of the chart, and nothing else `was` asked.
 #[must_use]
-pub(crate) fn watched(model: &Model, limits: &Limits, tree: &Tree, never: &[&Tree], was_alone: bool) -> Option<Answer> {
+pub(crate) fn watched(
+    (model, facts): (&Model, &Facts<'_>),
+    limits: &Limits,
+    tree: &Tree,
+    was_alone: bool,
+) -> Option<Answer> {
     let slice = Slice::of(model, &[], &[tree]);
     if slice.is_none() && was_alone {
         return None;
     }
-    let question = Question { model, limits, never };
+    let question = Question { model, limits, facts };
     let net = question.net(slice.as_ref(), &[tree]);
     let (graph, sooner) = question.explore(&net, Detail::Rough);
     if cuts(&graph, slice.as_ref()) {
@@ -64,20 +68,20 @@ fn cuts(graph: &Graph, slice: Option<&Slice>) -> bool {
 struct Question<'a> {
     model: &'a Model,
     limits: &'a Limits,
-    never: &'a [&'a Tree],
+    facts: &'a Facts<'a>,
 }
 
 impl Question<'_> {
     fn net(&self, slice: Option<&Slice>, watched: &[&Tree]) -> Net {
         slice.map_or_else(
-            || Net::of(self.model, watched, self.never),
-            |slice| Net::sliced(self.model, slice, watched, self.never),
+            || Net::of(self.model, self.facts, watched, &self.facts.never),
+            |slice| Net::sliced(self.model, self.facts, slice, watched),
         )
     }
 
     fn explore(&self, net: &Net, detail: Detail) -> (Graph, Option<Graph>) {
         let mut budget = Budget { limit: limit(net, self.limits), work: 0 };
-        let (is_several, end) = (several(net) && detail == Detail::Rough, || all_end(self.model));
+        let (is_several, end) = (several(net) && detail == Detail::Rough, || self.facts.all_end(self.model));
         explore_whole(net, is_several, &mut budget, &mut Seen::nothing(net), detail, &end)
     }
 }

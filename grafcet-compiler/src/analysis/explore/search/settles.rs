@@ -2,6 +2,7 @@
 
 use super::Search;
 use super::graph::{Graph, Seen};
+use crate::analysis::Facts;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::Atom;
 use crate::model::Model;
@@ -9,8 +10,8 @@ use crate::model::Model;
 /// Whether every search for stability of a `grafcet` comes to its end before the bound, whatever the inputs are; `false` also
 /// where so many units of work do not suffice to find out.
 #[must_use]
-pub fn settles(model: &Model, work: u64) -> bool {
-    let net = Net::of(model, &[], &[]);
+pub fn settles(model: &Model, facts: &Facts<'_>, work: u64) -> bool {
+    let net = Net::of(model, facts, &[], &[]);
     if !is_followed(&net) {
         return false;
     }

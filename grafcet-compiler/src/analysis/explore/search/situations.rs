@@ -3,8 +3,8 @@
 use super::Search;
 use super::graph::{Graph, Seen};
 use super::whole::{Budget, Detail, explore_whole};
+use crate::analysis::Facts;
 use crate::analysis::explore::net::{Net, Order};
-use crate::analysis::searches::all_end;
 use crate::list::List;
 use crate::model::{Model, StepId};
 use crate::sorted::Set;
@@ -22,12 +22,12 @@ pub(crate) struct Wanted {
 }
 
 /// The situations in which a cycle can end, whatever the inputs are, and the initial one; none where the work does not suffice to find all.
-pub(crate) fn situations(model: &Model, wanted: Wanted) -> Option<Set<Vec<StepId>>> {
-    let net = Net::of(model, &[], &[]);
+pub(crate) fn situations(model: &Model, facts: &Facts<'_>, wanted: Wanted) -> Option<Set<Vec<StepId>>> {
+    let net = Net::of(model, facts, &[], &[]);
     if !wanted.by_hand {
         let mut budget = Budget { limit: wanted.work, work: 0 };
-        let (graph, sooner) =
-            explore_whole(&net, false, &mut budget, &mut Seen::nothing(&net), Detail::Rough, &|| all_end(model));
+        let end = || facts.all_end(model);
+        let (graph, sooner) = explore_whole(&net, false, &mut budget, &mut Seen::nothing(&net), Detail::Rough, &end);
         if !graph.unstable && sooner.is_none_or(|graph| !graph.unstable) {
             let found = graph.complete.then(|| ends(&graph))?;
             return (found.len() <= wanted.most).then_some(found);
@@ -90,8 +90,8 @@ pub(crate) struct Piece {
 }
 
 /// The pieces of a chart of partial grafcets, as far as the work suffices for each.
-pub(crate) fn pieces(model: &Model, wanted: Wanted) -> Vec<Piece> {
-    let net = Net::of(model, &[], &[]);
+pub(crate) fn pieces(model: &Model, facts: &Facts<'_>, wanted: Wanted) -> Vec<Piece> {
+    let net = Net::of(model, facts, &[], &[]);
     if !net.grafcet {
         return Vec::new();
     }

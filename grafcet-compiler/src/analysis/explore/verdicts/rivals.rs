@@ -7,13 +7,13 @@ use crate::analysis::explore::net::formula::{Atom, Formula};
 use crate::analysis::explore::search::Search;
 use crate::analysis::explore::search::graph::Seen;
 use crate::analysis::explore::valuation::{Valuation, When};
-use crate::analysis::is_constant_read;
+use crate::analysis::{Facts, is_constant_read};
 use crate::list::List;
 use crate::model::{Association, Dialect, Model, Name, Qualifier, Read, StepId, TransitionId, Tree, Trigger};
 
 /// A stored action of a `grafcet` that is watched beside another.
 #[derive(Clone, Copy)]
-pub enum Rival<'m> {
+pub(crate) enum Rival<'m> {
     /// Of a step.
     Action(&'m Association),
     /// On the clearing of a transition.
@@ -82,15 +82,19 @@ pub(crate) fn note(valuation: &mut Valuation<'_>, before: &[StepId], after: &[St
     }
 }
 
-/// For each pair whether both can run in the same evolution, under all inputs for which none of `never` holds; `true` also
+/// For each pair whether both can run in the same evolution, under all inputs that the chart does not exclude; `true` also
 /// where that could not be excluded.
-#[must_use]
-pub fn rivals_meeting(model: &Model, limits: &Limits, pairs: &[(Rival<'_>, Rival<'_>)], never: &[&Tree]) -> Vec<bool> {
+pub(crate) fn rivals_meeting(
+    model: &Model,
+    facts: &Facts<'_>,
+    limits: &Limits,
+    pairs: &[(Rival<'_>, Rival<'_>)],
+) -> Vec<bool> {
     let all = vec![true; pairs.len()];
     if limits.only_ways || pairs.len() > PAIRS {
         return all;
     }
-    let net = Net::beside(model, pairs, never);
+    let net = Net::beside(model, facts, pairs);
     if !net.atoms.values().all(is_told) {
         return all;
     }

@@ -2,21 +2,23 @@
 
 mod numbers;
 
+use crate::analysis::combinational;
 use crate::analysis::explore::net::formula::{Atom, AtomId, Formula, Kind};
 use crate::analysis::explore::net::links::Difference;
-use crate::analysis::{combinational, mixed};
 use crate::list::List;
 use crate::model::{
     Arena, Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId, TimeRef, Tree,
     Ty, Unary, VarId,
 };
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// Numbers the atoms of a chart.
 pub(crate) struct Compiler<'m> {
     model: &'m Model,
     /// The number of each place that is followed from cycle to cycle.
     slots: &'m Map<Place, usize>,
+    /// Places with actions of two kinds.
+    mixed: &'m Set<Place>,
     pub(crate) atoms: Arena<AtomId, Atom>,
     pub(crate) numbers: Map<Tree, AtomId>,
     pub(crate) differences: Vec<Difference>,
@@ -36,10 +38,11 @@ pub(crate) struct Compiler<'m> {
 }
 
 impl<'m> Compiler<'m> {
-    pub(crate) fn new(model: &'m Model, slots: &'m Map<Place, usize>) -> Self {
+    pub(crate) fn new(model: &'m Model, slots: &'m Map<Place, usize>, mixed: &'m Set<Place>) -> Self {
         Self {
             model,
             slots,
+            mixed,
             atoms: Arena::default(),
             numbers: Map::new(),
             differences: Vec::new(),
@@ -222,7 +225,7 @@ impl<'m> Compiler<'m> {
     /// What continuous actions of a `grafcet` make of a boolean variable (A22) or output (A9, A10, A35).
     fn continuous(&mut self, place: Place) -> Option<Formula> {
         let model = self.model;
-        if !model.is_grafcet() || mixed(model).contains(&place) {
+        if !model.is_grafcet() || self.mixed.contains(&place) {
             return None;
         }
         let (init, boolean) = match place {
