@@ -121,5 +121,5 @@ pub(super) fn limit(net: &Net, limits: &Limits) -> u64 {
 
 /// Whether the chart has pieces that can be explored for themselves.
 pub(super) fn several(net: &Net) -> bool {
-    net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1)
+    net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.values().filter(|has| **has).count() > 1)
 }

@@ -31,6 +31,7 @@ pub use verdicts::{
 
 use self::limits::{answers, length, limit, several};
 use self::net::Net;
+use self::net::units::UnitId;
 use self::search::graph::{Graph, Seen};
 use self::search::some_ways::{self, Ways};
 use self::search::whole::{Budget, Detail, explore_whole};
@@ -39,7 +40,7 @@ use self::verdicts::Report;
 use self::verdicts::future::Future;
 use super::{Concurrency, Facts};
 use crate::list::{List, PushAll};
-use crate::model::{Id, Model, StepId, TransitionId, Tree};
+use crate::model::{Arena, Id, Model, StepId, TransitionId, Tree};
 use crate::sorted::{Map, Set};
 
 /// The reachable situations of a chart.
@@ -49,7 +50,7 @@ pub struct Exploration {
     /// The whole chart, as far as the budget sufficed.
     whole: Graph,
     /// Per piece of the chart: everything it can do was seen.
-    covered: Vec<bool>,
+    covered: Arena<UnitId, bool>,
     sources: Vec<Vec<StepId>>,
     unsafe_steps: Map<StepId, Activation>,
     deadlocks: Vec<Deadlock>,
@@ -119,8 +120,9 @@ impl Exploration {
         let mut seen = Seen::nothing(&net);
         let (limit, several) = (limit(&net, limits), several(&net));
         // Each situation takes more than one unit.
-        let nesting = facts.nesting(model).filter(|nesting| nesting.situations() > limit && watched.is_empty());
-        let is_told = nesting.is_some_and(|nesting| nesting.tells_all(model, assumed_never));
+        let nesting = if watched.is_empty() { facts.nesting(model) } else { None };
+        let is_told =
+            nesting.is_some_and(|nesting| nesting.situations() > limit && nesting.tells_all(model, assumed_never));
         let mut budget = Budget { limit: if limits.only_ways || is_told { 0 } else { limit }, work: 0 };
         let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, Detail::Rough, &end);
         // In a `grafcet` a search for stability that does not come to an end stops wherever its bound lies.
@@ -128,18 +130,15 @@ impl Exploration {
         let mut watched = answers(&net, sooner.as_ref(), &whole);
         if !net.clocks.is_empty() && watched.iter().any(|answer| *answer != Answer::Never) {
             // Times that fall back may be what makes it possible.
-            let mut budget = Budget { limit, work: 0 };
-            let (whole, sooner) =
-                explore_whole(&net, several, &mut budget, &mut Seen::nothing(&net), Detail::Timed, &end);
-            watched = answers(&net, sooner.as_ref(), &whole);
+            watched = timed_answers(&net, several, limit, &end);
         }
         let settles = sooner.is_none() && stability::settled(&net, &whole);
         let end = settles || end();
-        let mut covered = vec![whole.complete; net.units];
+        let mut covered = Arena::filled(net.has_arcs.len(), whole.complete);
         net.structure = (!whole.complete).then(structure);
         let mut pieces = Vec::new();
         if !whole.complete && several {
-            for unit in (0..net.units).filter(|unit| net.has_arcs[*unit]) {
+            for unit in net.has_arcs.ids().filter(|unit| net.has_arcs[*unit]) {
                 let search = Search::new(&net, Some(unit), end, budget.left(), &mut seen).cut_anywhere(!end);
                 let graph = budget.run(search);
                 covered[unit] = graph.complete;
@@ -331,4 +330,11 @@ impl Exploration {
     pub fn watched(&self, index: usize) -> Answer {
         self.watched[index].clone()
     }
+}
+
+/// Per watched expression whether it can hold where no time falls back.
+fn timed_answers(net: &Net, several: bool, limit: u64, end: &dyn Fn() -> bool) -> Vec<Answer> {
+    let mut budget = Budget { limit, work: 0 };
+    let (whole, sooner) = explore_whole(net, several, &mut budget, &mut Seen::nothing(net), Detail::Timed, end);
+    answers(net, sooner.as_ref(), &whole)
 }

@@ -2,11 +2,20 @@
 
 use super::compile::Compiler;
 use super::formula::Formula;
-use super::slots::{Bit, Slots};
+use super::slots::{Bit, SlotId, Slots};
 use crate::analysis::explore::verdicts::rivals::Watched;
 use crate::list::{List, PushAll};
-use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, StepId, TransitionId, Tree};
+use crate::model::{
+    Arena, Association, Effect, Id, Model, Place, Qualifier, Statement, StepId, TransitionId, Tree, ids,
+};
 use crate::sorted::{Map, Set};
+
+ids! {
+    /// `grafcet`: a stored action.
+    pub(crate) StoredId;
+    /// `sfc`: what associations are combined for.
+    pub(crate) TargetId;
+}
 
 /// An action with the conditions under which it runs.
 pub(crate) struct Action {
@@ -31,16 +40,16 @@ impl Action {
 
 /// A statement of an action.
 pub(crate) enum Command {
-    Set(usize, Formula),
+    Set(SlotId, Formula),
     If(Formula, Vec<Command>, Vec<Command>),
 }
 
 /// `sfc`: what associations are combined for (A31).
 pub(crate) enum Target {
     /// `N q`, `S q`, `R q`, `P q`
-    Control { slot: usize, timed: Timed, by: Vec<Action> },
+    Control { slot: SlotId, timed: Timed, by: Vec<Action> },
     /// `speed = …` on an output: the initial value while no association is active (A35).
-    Assigned { slot: usize, initial: Bit, by: Vec<Action> },
+    Assigned { slot: SlotId, initial: Bit, by: Vec<Action> },
     /// A block or a stored assignment.
     Own(Action),
 }
@@ -49,7 +58,7 @@ pub(crate) enum Target {
 /// (L: have not run out).
 #[derive(Default)]
 pub(crate) struct Timed {
-    pub(crate) flip_flops: Vec<(Qualifier, usize)>,
+    pub(crate) flip_flops: Vec<(Qualifier, SlotId)>,
     pub(crate) times: Vec<(Qualifier, Formula)>,
 }
 
@@ -60,19 +69,19 @@ pub(crate) type Writer = (Option<StepId>, Option<TransitionId>);
 #[derive(Default)]
 pub(crate) struct Actions {
     /// `grafcet`: the stored actions, in source order, and those of each step.
-    pub(crate) stored: Vec<Action>,
-    pub(crate) stored_of: Map<StepId, Vec<usize>>,
+    pub(crate) stored: Arena<StoredId, Action>,
+    pub(crate) stored_of: Map<StepId, Vec<StoredId>>,
     /// `grafcet`: the actions on clearing of each transition.
     pub(crate) clearing: Map<TransitionId, Vec<Action>>,
     /// `sfc`: the targets in the order in which they first stand in the source, and those of each step.
-    pub(crate) targets: Vec<Target>,
-    pub(crate) targets_of: Map<StepId, Vec<usize>>,
+    pub(crate) targets: Arena<TargetId, Target>,
+    pub(crate) targets_of: Map<StepId, Vec<TargetId>>,
     /// `sfc`: targets that go on as long as a flip-flop is set.
-    pub(crate) lasting: Vec<(usize, usize)>,
+    pub(crate) lasting: Vec<(SlotId, TargetId)>,
     /// `grafcet`: pairs of stored actions of which it is asked whether they run in the same evolution.
     pub(crate) rivals: Vec<(Watched, Watched)>,
     /// `sfc`: which slots are outputs; these are read as the previous cycle returned them.
-    pub(crate) is_output: Vec<bool>,
+    pub(crate) is_output: Arena<SlotId, bool>,
 }
 
 impl Actions {
@@ -83,12 +92,12 @@ impl Actions {
 
     /// The formulas that actions evaluate.
     pub(crate) fn formulas(&self) -> Vec<&Formula> {
-        let targets = self.targets.iter().flat(|target| match target {
+        let targets = self.targets.values().flat(|target| match target {
             Target::Control { by, .. } | Target::Assigned { by, .. } => by.iter(),
             Target::Own(action) => std::slice::from_ref(action).iter(),
         });
         let mut formulas = Vec::new();
-        for action in self.stored.iter().and(self.clearing.values().flatten()).and(targets) {
+        for action in self.stored.values().and(self.clearing.values().flatten()).and(targets) {
             formulas.push_all(action.event.iter().and(&action.condition));
             collect(&action.program, &mut formulas);
         }
@@ -98,9 +107,9 @@ impl Actions {
     }
 
     /// Which slots are written by an action of which step, or on the clearing of which transition.
-    pub(crate) fn writers(&self) -> Vec<(usize, Writer)> {
+    pub(crate) fn writers(&self) -> Vec<(SlotId, Writer)> {
         let mut writers = Vec::new();
-        for action in &self.stored {
+        for action in self.stored.values() {
             slots_of(&action.program, &mut |slot| writers.push((slot, (action.step, None))));
         }
         for (transition, actions) in &self.clearing {
@@ -112,7 +121,7 @@ impl Actions {
     }
 }
 
-fn slots_of(program: &[Command], found: &mut dyn FnMut(usize)) {
+fn slots_of(program: &[Command], found: &mut dyn FnMut(SlotId)) {
     for command in program {
         match command {
             Command::Set(slot, _) => found(*slot),
@@ -138,7 +147,7 @@ fn collect<'a>(program: &'a [Command], formulas: &mut Vec<&'a Formula>) {
 }
 
 pub(crate) fn compile(model: &Model, slots: &Slots, compiler: &mut Compiler<'_>) -> Actions {
-    let mut actions = Actions { is_output: vec![false; slots.initial.len()], ..Actions::default() };
+    let mut actions = Actions { is_output: Arena::filled(slots.initial.len(), false), ..Actions::default() };
     for (place, slot) in &slots.numbers {
         actions.is_output[*slot] = matches!(place, Place::Output(_));
     }
@@ -162,8 +171,8 @@ impl Compile<'_, '_> {
             let stored = association.is_stored();
             let on = association.qualifier == Qualifier::On;
             if stored && (on || self.is_followed(&association.effect)) {
-                actions.stored_of.or_default(association.step).push(actions.stored.len());
-                actions.stored.push(self.action(id.index(), association));
+                let action = actions.stored.push(self.action(id.index(), association));
+                actions.stored_of.or_default(association.step).push(action);
             }
         }
         for (id, transition) in model.transitions.iter() {
@@ -184,7 +193,7 @@ impl Compile<'_, '_> {
     }
 
     fn targets(&mut self, model: &Model, actions: &mut Actions) {
-        let mut numbers: Map<Place, usize> = Map::new();
+        let mut numbers: Map<Place, TargetId> = Map::new();
         for (id, association) in model.associations.iter() {
             if !self.is_followed(&association.effect) {
                 continue;
@@ -196,24 +205,24 @@ impl Compile<'_, '_> {
                 _ => None,
             };
             let known = place.and_then(|place| numbers.get(&place).copied());
-            let number = known.unwrap_or(actions.targets.len());
-            match (known, place) {
+            let number = match (known, place) {
                 (Some(known), _) => {
                     if let Target::Control { by, .. } | Target::Assigned { by, .. } = &mut actions.targets[known] {
                         by.push(action);
                     }
+                    known
                 }
                 (None, Some(place)) => {
                     let Some(slot) = self.slots.numbers.get(&place).copied() else { continue };
+                    let number = actions.targets.push(self.target(model, (place, slot), &association.effect, action));
                     numbers.insert(place, number);
-                    let target = self.target(model, (place, slot), &association.effect, action);
-                    if let Target::Control { timed, .. } = &target {
+                    if let Target::Control { timed, .. } = &actions.targets[number] {
                         actions.lasting.push_all(timed.flip_flops.iter().map(|(_, slot)| (*slot, number)));
                     }
-                    actions.targets.push(target);
+                    number
                 }
                 (None, None) => actions.targets.push(Target::Own(action)),
-            }
+            };
             let of_step = actions.targets_of.or_default(association.step);
             if !of_step.contains(&number) {
                 of_step.push(number);
@@ -221,7 +230,7 @@ impl Compile<'_, '_> {
         }
     }
 
-    fn target(&mut self, model: &Model, (place, slot): (Place, usize), effect: &Effect, action: Action) -> Target {
+    fn target(&mut self, model: &Model, (place, slot): (Place, SlotId), effect: &Effect, action: Action) -> Target {
         let by = vec![action];
         match effect {
             Effect::Control(_) => Target::Control { slot, timed: self.timed(model, place), by },
@@ -231,7 +240,8 @@ impl Compile<'_, '_> {
 
     /// Where only S and R control the place, it is its own flip-flop.
     fn timed(&mut self, model: &Model, place: Place) -> Timed {
-        let own = |((of, qualifier), slot): &((Place, Qualifier), usize)| (*of == place).then_some((*qualifier, *slot));
+        let own =
+            |((of, qualifier), slot): &((Place, Qualifier), SlotId)| (*of == place).then_some((*qualifier, *slot));
         let flip_flops = self.slots.flip_flops.iter().filter_map(own).list();
         let controls = |a: &&Association| matches!(a.effect, Effect::Control(of) if of == place);
         let qualifiers: Set<Qualifier> =

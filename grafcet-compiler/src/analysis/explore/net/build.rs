@@ -1,7 +1,8 @@
 //! From a model to a net.
 
+use super::actions::Actions;
 use super::compile::Compiler;
-use super::formula::{AtomId, Formula, Kind};
+use super::formula::{Atom, AtomId, Formula, Kind, SharedId};
 use super::links::Links;
 use super::slice::Slice;
 use super::slots::Slots;
@@ -10,7 +11,7 @@ use super::{actions, clocks, unfollowed, units};
 use crate::analysis::Facts;
 use crate::analysis::explore::verdicts::rivals::Rival;
 use crate::list::List;
-use crate::model::{Arena, ForceOrder, Id, Model, PartialId, Step, StepId, TransitionId, Tree};
+use crate::model::{Arena, EdgeId, ForceOrder, Model, PartialId, Step, StepId, Transition, TransitionId, Tree};
 use crate::sorted::{Map, sort_unstable};
 
 /// What a chart is explored for.
@@ -39,84 +40,9 @@ impl Net {
     }
 
     fn with(model: &Model, facts: &Facts<'_>, subject: &Subject<'_, '_>, assumed_never: &[&Tree]) -> Self {
-        let Subject { watched, rivals, slice } = *subject;
-        let kept = |id: TransitionId| slice.is_none_or(|slice| slice.has_transition(model, id));
-        let asked = rivals.iter().flat(|(a, b)| a.conditions().and(b.conditions()));
-        let asked: Vec<&Tree> = watched.iter().copied().and(asked).list();
-        let mixed = facts.mixed(model);
-        let slots = Slots::of(model, mixed, &asked, &kept);
-        let mut compiler = Compiler::new(model, &slots.numbers, mixed);
-        let conditions: Vec<Formula> = model
-            .transitions
-            .iter()
-            .map(|(id, t)| compiler.formula(if kept(id) { &t.condition.tree } else { &FALSE }))
-            .list();
-        compiler.in_action = true;
-        let mut actions = actions::compile(model, &slots, &mut compiler);
-        compiler.in_action = false;
-        let rivals = rivals.iter().map(|(a, b)| (a.compile(&mut compiler), b.compile(&mut compiler)));
-        actions.rivals = rivals.list();
-        let watched = watched.iter().map(|tree| compiler.formula(tree)).list();
-        let approximate = compiler.approximate;
-        let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();
-        let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
-        let calls = atoms.ids().filter(|atom| atoms[*atom].what.may_differ()).list();
-        let has_volatile = atoms.values().any(|atom| atom.volatile);
-        let links = Links::of(model, &atoms, &differences, &numbers);
-        let presumed = unfollowed::presumed(&atoms, &links);
-        let unfollowed = unfollowed::atoms(&atoms, &links, &presumed);
-        let bound = unfollowed::bound(&atoms, &unfollowed);
-        let count = atoms.len();
-        let (unit_of, units) = units::of(model);
-        let mut net = Self {
-            grafcet: model.is_grafcet(),
-            arcs: Arena::default(),
-            leaving: Arena::filled(model.steps.len(), Vec::new()),
-            sourceless: Vec::new(),
-            atoms,
-            links,
-            calls,
-            has_volatile,
-            edges,
-            shared,
-            actions,
-            initial_slots: slots.initial.clone(),
-            shown_slots: slots.shown.clone(),
-            initial: facts
-                .initial
-                .iter()
-                .filter(|step| slice.is_none_or(|slice| slice.has_step(model, **step)))
-                .copied()
-                .list(),
-            parts: parts(model, slice),
-            commands: Arena::of(&model.steps, |_, step| !step.forces.is_empty()),
-            governs: Arena::of(&model.steps, |_, step| !step.forces.is_empty() || !step.encloses.is_empty()),
-            hierarchy: Vec::new(),
-            part_of: Arena::of(&model.steps, |_, step| step.partial.index()),
-            has_arcs: vec![false; units],
-            unit_of,
-            units,
-            is_final: Arena::of(&model.steps, |_, step| step.is_final),
-            macros: model.macros.values().map(|m| m.steps.clone()).list(),
-            edge_atoms: Arena::filled(model.steps.len(), Vec::new()),
-            common_edge_atoms: Vec::new(),
-            is_edge_atom: Arena::filled(count, false),
-            is_common: Arena::filled(count, false),
-            unfollowed,
-            presumed,
-            bound,
-            beside: Map::new(),
-            clocks: Vec::new(),
-            writes_more: unfollowed::writers(model, &slots),
-            confluent: (true, vec![true; units]),
-            watched,
-            assumed_never,
-            approximate,
-            max_evolutions: model.max_evolutions.map_or(2 * model.steps.len() + 2, |n| n as usize),
-            structure: None,
-        };
-        if net.parts.iter().any(|part| part.enclosed_by.is_some() || !part.orders.is_empty()) {
-            net.hierarchy = facts.top_down.iter().map(|id| id.index()).list();
+        let (mut net, conditions) = Self::undrawn(model, facts, subject, assumed_never);
+        if net.parts.values().any(|part| part.enclosed_by.is_some() || !part.orders.is_empty()) {
+            net.hierarchy.clone_from(&facts.top_down);
         }
         net.draw(model, conditions);
         net.note_edges();
@@ -126,6 +52,64 @@ impl Net {
         let assumed: Vec<AtomId> = net.assumed_never.iter().flat(|formula| net.atoms_of(formula)).list();
         net.beside = unfollowed::beside(&net.atoms, &net.unfollowed, &assumed);
         net
+    }
+
+    /// Without its transitions, of which the conditions are returned, and without what follows from those.
+    fn undrawn(
+        model: &Model,
+        facts: &Facts<'_>,
+        subject: &Subject<'_, '_>,
+        assumed_never: &[&Tree],
+    ) -> (Self, Vec<Formula>) {
+        let Compiled { slots, atoms, links, edges, shared, conditions, actions, watched, assumed_never, approximate } =
+            Compiled::of(model, facts, subject, assumed_never);
+        let presumed = unfollowed::presumed(&atoms, &links);
+        let unfollowed = unfollowed::atoms(&atoms, &links, &presumed);
+        let (count, steps) = (atoms.len(), model.steps.len());
+        let (unit_of, units) = units::of(model);
+        let is_kept = |step: &&StepId| subject.slice.is_none_or(|slice| slice.has_step(model, **step));
+        let net = Self {
+            grafcet: model.is_grafcet(),
+            arcs: Arena::default(),
+            leaving: Arena::filled(steps, Vec::new()),
+            sourceless: Vec::new(),
+            calls: atoms.ids().filter(|atom| atoms[*atom].what.may_differ()).list(),
+            has_volatile: atoms.values().any(|atom| atom.volatile),
+            bound: unfollowed::bound(&atoms, &unfollowed),
+            atoms,
+            links,
+            edges,
+            shared,
+            actions,
+            writes_more: unfollowed::writers(model, &slots),
+            initial_slots: slots.initial,
+            shown_slots: slots.shown,
+            initial: facts.initial.iter().filter(is_kept).copied().list(),
+            parts: parts(model, subject.slice),
+            commands: Arena::of(&model.steps, |_, step| !step.forces.is_empty()),
+            governs: Arena::of(&model.steps, |_, step| !step.forces.is_empty() || !step.encloses.is_empty()),
+            hierarchy: Vec::new(),
+            part_of: Arena::of(&model.steps, |_, step| step.partial),
+            has_arcs: Arena::filled(units, false),
+            unit_of,
+            is_final: Arena::of(&model.steps, |_, step| step.is_final),
+            macros: Arena::of(&model.macros, |_, of| of.steps.clone()),
+            edge_atoms: Arena::filled(steps, Vec::new()),
+            common_edge_atoms: Vec::new(),
+            is_edge_atom: Arena::filled(count, false),
+            is_common: Arena::filled(count, false),
+            unfollowed,
+            presumed,
+            beside: Map::new(),
+            clocks: Vec::new(),
+            confluent: (true, Arena::filled(units, true)),
+            watched,
+            assumed_never,
+            approximate,
+            max_evolutions: model.max_evolutions.map_or(2 * steps + 2, |n| n as usize),
+            structure: None,
+        };
+        (net, conditions)
     }
 
     fn draw(&mut self, model: &Model, conditions: Vec<Formula>) {
@@ -159,7 +143,7 @@ impl Net {
             reads_steps.retain(|step| !sources.contains(step) || edge_atoms.iter().any(is_step));
             let reads_slots = atoms.iter().any(|atom| matches!(self.atoms[*atom].kind, Kind::Slot(_)));
             let targets = transition.targets.clone();
-            let partial = transition.partial.index();
+            let partial = transition.partial;
             let is_any = transition.any.is_some();
             self.arcs.push(Arc {
                 sources,
@@ -264,13 +248,55 @@ impl Net {
     }
 }
 
+/// All expressions of a chart, over the same atoms.
+struct Compiled {
+    slots: Slots,
+    atoms: Arena<AtomId, Atom>,
+    links: Links,
+    edges: Arena<EdgeId, Option<Formula>>,
+    shared: Arena<SharedId, Formula>,
+    /// By transition.
+    conditions: Vec<Formula>,
+    actions: Actions,
+    watched: Vec<Formula>,
+    assumed_never: Vec<Formula>,
+    /// Something but the assumptions takes a value as unknown.
+    approximate: bool,
+}
+
+impl Compiled {
+    fn of(model: &Model, facts: &Facts<'_>, subject: &Subject<'_, '_>, assumed_never: &[&Tree]) -> Self {
+        let Subject { watched, rivals, slice } = *subject;
+        let kept = |id: TransitionId| slice.is_none_or(|slice| slice.has_transition(model, id));
+        let asked = rivals.iter().flat(|(a, b)| a.conditions().and(b.conditions()));
+        let asked: Vec<&Tree> = watched.iter().copied().and(asked).list();
+        let mixed = facts.mixed(model);
+        let slots = Slots::of(model, mixed, &asked, &kept);
+        let mut compiler = Compiler::new(model, &slots.numbers, mixed);
+        let condition =
+            |(id, t): (TransitionId, &Transition)| compiler.formula(if kept(id) { &t.condition.tree } else { &FALSE });
+        let conditions = model.transitions.iter().map(condition).list();
+        compiler.in_action = true;
+        let mut actions = actions::compile(model, &slots, &mut compiler);
+        compiler.in_action = false;
+        let rivals = rivals.iter().map(|(a, b)| (a.compile(&mut compiler), b.compile(&mut compiler)));
+        actions.rivals = rivals.list();
+        let watched = watched.iter().map(|tree| compiler.formula(tree)).list();
+        let approximate = compiler.approximate;
+        let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();
+        let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
+        let links = Links::of(model, &atoms, &differences, &numbers);
+        Self { slots, atoms, links, edges, shared, conditions, actions, watched, assumed_never, approximate }
+    }
+}
+
 fn add(atoms: &mut Vec<AtomId>, atom: AtomId) {
     if !atoms.contains(&atom) {
         atoms.push(atom);
     }
 }
 
-fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
+fn parts(model: &Model, slice: Option<&Slice>) -> Arena<PartialId, Part> {
     let mut orders: Map<PartialId, Vec<(StepId, Order)>> = Map::new();
     let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<StepId> {
         let mut steps: Vec<StepId> = part.steps.iter().filter(|step| wanted(&model.steps[**step])).copied().list();
@@ -290,12 +316,11 @@ fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
         };
         orders.or_default(force.target).push((force.step, order));
     }
-    let part = |(id, partial): (PartialId, &crate::model::Partial)| Part {
+    Arena::of(&model.partials, |id, partial| Part {
         enclosed_by: partial.enclosed_by,
         linked: if is_left_out(id) { Vec::new() } else { pick(partial, |step| step.linked) },
         orders: orders.remove(&id).unwrap_or_default(),
-    };
-    model.partials.iter().map(part).list()
+    })
 }
 
 /// With what assumptions connect these atoms with: what is known of one of them in the cycle before may exclude a value of

@@ -1,11 +1,14 @@
 //! Conditions over numbered atoms.
 
+use super::slots::SlotId;
 use crate::analysis::is_constant_read;
-use crate::model::{StepId, Tree, ids};
+use crate::model::{EdgeId, MacroId, StepId, Tree, ids};
 
 ids! {
     /// Something that conditions read.
     pub(crate) AtomId;
+    /// A formula that stands in several others.
+    pub(crate) SharedId;
 }
 
 /// A condition.
@@ -22,11 +25,10 @@ pub(crate) enum Formula {
     And(Box<Formula>, Box<Formula>),
     Or(Box<Formula>, Box<Formula>),
     Same(Box<Formula>, Box<Formula>),
-    /// By the number of the edge.
-    Rising(usize),
-    Falling(usize),
-    /// A combinational variable (A22), by its number among the shared formulas.
-    Shared(usize),
+    Rising(EdgeId),
+    Falling(EdgeId),
+    /// Such as a combinational variable (A22).
+    Shared(SharedId),
 }
 
 impl Formula {
@@ -98,13 +100,13 @@ pub(crate) enum Kind {
     /// `sfc`: whether the step was active when the cycle began.
     Was(StepId),
     /// Whether a step of the macro-step's expansion is active.
-    Macro(usize),
+    Macro(MacroId),
     /// A boolean that is followed from cycle to cycle.
-    Slot(usize),
+    Slot(SlotId),
     /// How long the step has been active; zero if it is not.
     Since(StepId),
     /// The same of a macro-step.
-    MacroSince(usize),
+    MacroSince(MacroId),
     /// Whether the first part of a period since the activation of the step is under way: true when it is entered.
     Phase(StepId),
 }

@@ -13,12 +13,13 @@ pub(crate) mod units;
 
 use self::actions::Actions;
 use self::clocks::Clock;
-use self::formula::{Atom, AtomId, Formula, Kind};
+use self::formula::{Atom, AtomId, Formula, Kind, SharedId};
 use self::links::Links;
-use self::slots::Bit;
+use self::slots::{Bit, SlotId};
+use self::units::UnitId;
 use crate::analysis::Concurrency;
 use crate::list::List;
-use crate::model::{Arena, StepId, TransitionId};
+use crate::model::{Arena, EdgeId, Id, MacroId, PartialId, StepId, TransitionId};
 use crate::sorted::{Map, sort_unstable};
 
 /// A transition.
@@ -26,7 +27,7 @@ pub(crate) struct Arc {
     pub(crate) sources: Vec<StepId>,
     pub(crate) targets: Vec<StepId>,
     pub(crate) condition: Formula,
-    pub(crate) partial: usize,
+    pub(crate) partial: PartialId,
     /// The atoms of the condition.
     pub(crate) atoms: Vec<AtomId>,
     /// Steps that the condition reads, its sources excepted.
@@ -66,29 +67,29 @@ pub(crate) struct Net {
     pub(crate) calls: Vec<AtomId>,
     /// Actions that are not followed may change some atoms.
     pub(crate) has_volatile: bool,
-    pub(crate) edges: Vec<Option<Formula>>,
-    pub(crate) shared: Vec<Formula>,
+    /// What each edge looks at, where it is used.
+    pub(crate) edges: Arena<EdgeId, Option<Formula>>,
+    pub(crate) shared: Arena<SharedId, Formula>,
     pub(crate) actions: Actions,
-    pub(crate) initial_slots: Vec<Bit>,
+    pub(crate) initial_slots: Arena<SlotId, Bit>,
     /// Slots that hold nothing for the next cycle.
-    pub(crate) shown_slots: Vec<usize>,
+    pub(crate) shown_slots: Vec<SlotId>,
     /// Steps active before the first cycle.
     pub(crate) initial: Vec<StepId>,
-    pub(crate) parts: Vec<Part>,
+    pub(crate) parts: Arena<PartialId, Part>,
     /// Steps that give orders to other partial grafcets.
     commands: Arena<StepId, bool>,
     /// Those, and the steps that enclose some.
     pub(crate) governs: Arena<StepId, bool>,
     /// From top to bottom; empty where no partial grafcet acts on another.
-    pub(crate) hierarchy: Vec<usize>,
-    pub(crate) part_of: Arena<StepId, usize>,
-    /// The connected piece of its partial grafcet to which each step belongs, and how many there are.
-    pub(crate) unit_of: Arena<StepId, usize>,
-    pub(crate) units: usize,
-    /// Whether the piece has transitions.
-    pub(crate) has_arcs: Vec<bool>,
+    pub(crate) hierarchy: Vec<PartialId>,
+    pub(crate) part_of: Arena<StepId, PartialId>,
+    /// The connected piece of its partial grafcet to which each step belongs.
+    pub(crate) unit_of: Arena<StepId, UnitId>,
+    /// Of each piece, whether it has transitions.
+    pub(crate) has_arcs: Arena<UnitId, bool>,
     pub(crate) is_final: Arena<StepId, bool>,
-    pub(crate) macros: Vec<Vec<StepId>>,
+    pub(crate) macros: Arena<MacroId, Vec<StepId>>,
     /// Per step the atoms that edges in the conditions of its transitions look at.
     pub(crate) edge_atoms: Arena<StepId, Vec<AtomId>>,
     /// Those that edges in actions and in source transitions look at.
@@ -110,7 +111,7 @@ pub(crate) struct Net {
     /// Steps and transitions with actions that write what is not followed.
     pub(crate) writes_more: (Arena<StepId, bool>, Arena<TransitionId, bool>),
     /// See [`Net::is_confluent`]: of the whole chart, and of each piece alone.
-    confluent: (bool, Vec<bool>),
+    confluent: (bool, Arena<UnitId, bool>),
     pub(crate) watched: Vec<Formula>,
     pub(crate) assumed_never: Vec<Formula>,
     /// Something is taken as unknown.
@@ -124,7 +125,7 @@ impl Net {
     /// `grafcet`: whether the situation in which a search for stability ends is the same in whatever order transitions
     /// clear, as long as the inputs stay: no transition takes a source from another that waits for more than that, and no
     /// condition reads a step or a variable that others change.
-    pub(crate) fn is_confluent(&self, unit: Option<usize>) -> bool {
+    pub(crate) fn is_confluent(&self, unit: Option<UnitId>) -> bool {
         unit.map_or(self.confluent.0, |unit| self.confluent.1[unit])
     }
 
@@ -133,8 +134,13 @@ impl Net {
         self.unfollowed.values().any(|is| *is)
     }
 
+    /// Whether something that is followed may begin with any value.
+    pub(crate) fn is_any_slot_open(&self) -> bool {
+        self.initial_slots.values().any(|bit| *bit == Bit::Any)
+    }
+
     /// Whether the edge looks at one of these atoms.
-    pub(crate) fn edge_reads(&self, edge: usize, among: &[AtomId]) -> bool {
+    pub(crate) fn edge_reads(&self, edge: EdgeId, among: &[AtomId]) -> bool {
         let read = |of| self.atoms_of(of).iter().any(|atom| among.binary_search(atom).is_ok());
         self.edges[edge].as_ref().is_some_and(read)
     }
@@ -142,7 +148,7 @@ impl Net {
     /// All that is evaluated.
     pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
         let conditions = self.arcs.values().map(|arc| &arc.condition);
-        let parts = self.shared.iter().and(self.edges.iter().flatten()).and(&self.watched);
+        let parts = self.shared.values().and(self.edges.values().flatten()).and(&self.watched);
         conditions.and(parts).and(self.actions.formulas())
     }
 
@@ -153,9 +159,9 @@ impl Net {
     }
 
     /// The piece of a transition.
-    pub(crate) fn unit_of_arc(&self, transition: TransitionId) -> usize {
+    pub(crate) fn unit_of_arc(&self, transition: TransitionId) -> UnitId {
         let arc = &self.arcs[transition];
-        arc.sources.first().or(arc.targets.first()).map_or(0, |step| self.unit_of[*step])
+        arc.sources.first().or(arc.targets.first()).map_or_else(|| UnitId::new(0), |step| self.unit_of[*step])
     }
 
     /// The values a number can have.
@@ -167,14 +173,14 @@ impl Net {
     }
 
     /// The slots that actions of other pieces than this one write.
-    pub(crate) fn foreign_slots(&self, unit: usize) -> Vec<usize> {
+    pub(crate) fn foreign_slots(&self, unit: UnitId) -> Vec<SlotId> {
         let writers = self.actions.writers();
         let foreign = |(step, arc): (Option<StepId>, Option<TransitionId>)| {
             let unit_of = step.map(|step| self.unit_of[step]).or_else(|| arc.map(|arc| self.unit_of_arc(arc)));
             unit_of != Some(unit)
         };
         let slots = writers.into_iter().filter(|(_, by)| foreign(*by)).map(|(slot, _)| slot);
-        let mut slots: Vec<usize> = slots.list();
+        let mut slots: Vec<SlotId> = slots.list();
         sort_unstable(&mut slots);
         slots.dedup();
         slots
@@ -191,7 +197,7 @@ impl Net {
     }
 
     /// The order that a situation gives to a partial grafcet; A14 leaves at most one.
-    pub(crate) fn order(&self, part: usize, active: &[StepId]) -> Option<&Order> {
+    pub(crate) fn order(&self, part: PartialId, active: &[StepId]) -> Option<&Order> {
         let orders = self.parts[part].orders.iter().rev();
         orders.filter(|(step, _)| active.binary_search(step).is_ok()).map(|(_, order)| order).next()
     }

@@ -3,9 +3,14 @@
 
 use crate::list::List;
 use crate::model::{
-    Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, TransitionId, Tree, Ty,
+    Arena, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, TransitionId, Tree, Ty, ids,
 };
 use crate::sorted::{Map, Set};
+
+ids! {
+    /// A place that is followed from cycle to cycle, or a flip-flop of one.
+    pub(crate) SlotId;
+}
 
 /// A value that is followed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -24,12 +29,13 @@ impl From<bool> for Bit {
 
 /// The places that are followed, numbered.
 pub(crate) struct Slots {
-    pub(crate) numbers: Map<Place, usize>,
+    pub(crate) numbers: Map<Place, SlotId>,
     /// `sfc`: the flip-flops of the action control where they are not the place itself: of S, SD, DS and SL.
-    pub(crate) flip_flops: Map<(Place, Qualifier), usize>,
-    pub(crate) initial: Vec<Bit>,
+    pub(crate) flip_flops: Map<(Place, Qualifier), SlotId>,
+    /// What each holds before the first cycle.
+    pub(crate) initial: Arena<SlotId, Bit>,
     /// `sfc`: places that are computed anew in each cycle and that nothing in the chart reads.
-    pub(crate) shown: Vec<usize>,
+    pub(crate) shown: Vec<SlotId>,
 }
 
 impl Slots {
@@ -40,21 +46,21 @@ impl Slots {
         watched: &[&Tree],
         kept: &dyn Fn(TransitionId) -> bool,
     ) -> Self {
-        let mut slots = Self { numbers: Map::new(), flip_flops: Map::new(), initial: Vec::new(), shown: Vec::new() };
+        let mut slots =
+            Self { numbers: Map::new(), flip_flops: Map::new(), initial: Arena::default(), shown: Vec::new() };
         let writers = Writers::of(model);
         for place in needed(model, &writers, watched, kept) {
             if mixed.contains(&place) || !writers.can_be_followed(model, place) {
                 continue;
             }
-            slots.numbers.insert(place, slots.initial.len());
-            let slot = slots.initial.len();
-            slots.initial.push(initial(model, place));
+            let slot = slots.initial.push(initial(model, place));
+            slots.numbers.insert(place, slot);
             if model.is_grafcet() {
                 continue;
             }
             for qualifier in writers.flip_flops(model, place) {
-                slots.flip_flops.insert((place, qualifier), slots.initial.len());
-                slots.initial.push(Bit::False);
+                let flip_flop = slots.initial.push(Bit::False);
+                slots.flip_flops.insert((place, qualifier), flip_flop);
             }
             if writers.is_only_shown(model, place) {
                 slots.shown.push(slot);

@@ -2,10 +2,15 @@
 
 use crate::analysis::Union;
 use crate::list::List;
-use crate::model::{Arena, Id, Model, StepId};
+use crate::model::{Arena, Id, Model, StepId, ids};
 
-/// The number of each step's piece, and how many there are.
-pub(crate) fn of(model: &Model) -> (Arena<StepId, usize>, usize) {
+ids! {
+    /// A connected piece of a partial grafcet.
+    pub(crate) UnitId;
+}
+
+/// Each step's piece, and how many there are.
+pub(crate) fn of(model: &Model) -> (Arena<StepId, UnitId>, usize) {
     let mut union = Union::new(model.steps.len());
     for transition in model.transitions.values() {
         let mut steps = transition.sources.iter().and(&transition.targets).map(|step| step.index());
@@ -14,15 +19,13 @@ pub(crate) fn of(model: &Model) -> (Arena<StepId, usize>, usize) {
             union.join(first, other);
         }
     }
-    let mut numbers = vec![usize::MAX; model.steps.len()];
+    let mut known: Vec<Option<UnitId>> = vec![None; model.steps.len()];
     let mut count = 0;
     let units = Arena::of(&model.steps, |step, _| {
-        let root = union.root(step.index());
-        if numbers[root] == usize::MAX {
-            numbers[root] = count;
+        *known[union.root(step.index())].get_or_insert_with(|| {
             count += 1;
-        }
-        numbers[root]
+            UnitId::new(count - 1)
+        })
     });
     (units, count)
 }

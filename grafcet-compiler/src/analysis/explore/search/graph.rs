@@ -5,6 +5,7 @@ use std::rc::Rc;
 use crate::analysis::Relation;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::AtomId;
+use crate::analysis::explore::net::units::UnitId;
 use crate::analysis::explore::valuation::State;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::model::{Arena, Id, StepId, TransitionId};
@@ -106,7 +107,7 @@ pub(crate) struct End {
 /// The states of a chart, or of a piece of it.
 #[derive(Debug)]
 pub(crate) struct Graph {
-    pub(crate) unit: Option<usize>,
+    pub(crate) unit: Option<UnitId>,
     pub(crate) states: Vec<Rc<State>>,
     pub(crate) origins: Vec<Option<Origin>>,
     pub(crate) edges: Vec<Vec<Edge>>,
@@ -129,7 +130,7 @@ pub(crate) struct Graph {
 
 impl Graph {
     /// Nothing of the chart, or of a piece of it.
-    pub(crate) fn of(net: &Net, unit: Option<usize>) -> Self {
+    pub(crate) fn of(net: &Net, unit: Option<UnitId>) -> Self {
         Self {
             unit,
             states: Vec::new(),

@@ -8,6 +8,7 @@ use crate::analysis::explore::semantics::{self, Done};
 use crate::analysis::explore::valuation::knowledge::Learnt;
 use crate::analysis::explore::valuation::{State, When};
 use crate::list::List;
+use crate::model::Id;
 
 /// The outcome of one run.
 pub(crate) struct Leaf {
@@ -31,7 +32,7 @@ impl Search<'_, '_> {
         let assumed = self.is_assumed();
         let mut next = semantics::end(&self.valuation, when);
         for slot in &self.foreign {
-            next.slots[*slot] = Bit::Any;
+            next.slots[slot.index()] = Bit::Any;
         }
         let decided = self.timed.then(|| self.valuation.decided());
         if self.timed {

@@ -18,14 +18,15 @@ use self::graph::{Cycle, Doubled, Edge, End, Graph, Origin, Seen};
 use self::index::Index;
 use self::leaf::Leaf;
 use crate::analysis::explore::net::formula::AtomId;
-use crate::analysis::explore::net::slots::Bit;
+use crate::analysis::explore::net::slots::{Bit, SlotId};
+use crate::analysis::explore::net::units::UnitId;
 use crate::analysis::explore::net::{Net, Order};
 use crate::analysis::explore::semantics;
 use crate::analysis::explore::semantics::trail::Trail;
 use crate::analysis::explore::semantics::turn::Turn;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{State, Valuation, When};
-use crate::model::{StepId, TransitionId};
+use crate::model::{Id, StepId, TransitionId};
 use crate::sorted::{Set, sort, sort_unstable};
 
 /// Explores one piece of a chart, or all of it.
@@ -36,7 +37,7 @@ pub(crate) struct Search<'n, 's> {
     pub(crate) seen: &'s mut Seen,
     pub(crate) limit: u64,
     /// Slots that other pieces write, too.
-    pub(crate) foreign: Vec<usize>,
+    pub(crate) foreign: Vec<SlotId>,
     /// What has nothing to do with each other is not tried in all combinations.
     lazy: bool,
     /// Orders or an enclosing step can hold the piece as it is.
@@ -56,7 +57,7 @@ pub(crate) struct Search<'n, 's> {
 }
 
 impl<'n, 's> Search<'n, 's> {
-    pub(crate) fn new(net: &'n Net, unit: Option<usize>, lazy: bool, limit: u64, seen: &'s mut Seen) -> Self {
+    pub(crate) fn new(net: &'n Net, unit: Option<UnitId>, lazy: bool, limit: u64, seen: &'s mut Seen) -> Self {
         let foreign = unit.map_or_else(Vec::new, |unit| net.foreign_slots(unit));
         Self {
             valuation: Valuation::new(net, unit),
@@ -170,10 +171,10 @@ impl<'n, 's> Search<'n, 's> {
     }
 
     fn root(&mut self, first: bool, active: Vec<StepId>) -> usize {
-        let mut slots = self.valuation.net.initial_slots.clone();
+        let mut slots = self.valuation.net.initial_slots.values().copied().list();
         if first {
             for slot in &self.foreign {
-                slots[*slot] = Bit::Any;
+                slots[slot.index()] = Bit::Any;
             }
         } else {
             slots.fill(Bit::Any);

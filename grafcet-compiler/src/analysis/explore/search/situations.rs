@@ -4,6 +4,7 @@ use super::Search;
 use super::graph::{Graph, Seen};
 use super::whole::{Budget, Detail, explore_whole};
 use crate::analysis::Facts;
+use crate::analysis::explore::net::units::UnitId;
 use crate::analysis::explore::net::{Net, Order};
 use crate::list::List;
 use crate::model::{Model, StepId};
@@ -43,7 +44,7 @@ fn ends(graph: &Graph) -> Set<Vec<StepId>> {
 
 /// Those of a piece, or of the whole chart. Where a search does not come to its end it may be stopped anywhere, wherever the bound lies. There, and after a cycle by hand,
 /// it goes on with whatever it remembers.
-fn all(net: &Net, unit: Option<usize>, wanted: Wanted) -> Option<Set<Vec<StepId>>> {
+fn all(net: &Net, unit: Option<UnitId>, wanted: Wanted) -> Option<Set<Vec<StepId>>> {
     let mut seen = Seen { situations: Some(Set::new()), ..Seen::nothing(net) };
     let mut search = Search::new(net, unit, false, wanted.work, &mut seen);
     search.roots();
@@ -95,10 +96,10 @@ pub(crate) fn pieces(model: &Model, facts: &Facts<'_>, wanted: Wanted) -> Vec<Pi
     if !net.grafcet {
         return Vec::new();
     }
-    (0..net.units).filter(|unit| net.has_arcs[*unit]).filter_map(|unit| piece(&net, unit, wanted)).list()
+    net.has_arcs.ids().filter(|unit| net.has_arcs[*unit]).filter_map(|unit| piece(&net, unit, wanted)).list()
 }
 
-fn piece(net: &Net, unit: usize, wanted: Wanted) -> Option<Piece> {
+fn piece(net: &Net, unit: UnitId, wanted: Wanted) -> Option<Piece> {
     let steps = net.unit_of.iter().filter(|(_, of)| **of == unit).map(|(step, _)| step).list();
     let part = &net.parts[net.part_of[*steps.first()?]];
     let own = |all: &[StepId]| all.iter().filter(|step| net.unit_of[**step] == unit).copied().list();

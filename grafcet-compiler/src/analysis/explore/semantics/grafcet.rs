@@ -4,18 +4,18 @@ use super::hierarchy;
 use super::sfc::perform;
 use super::trail::Trail;
 use super::{Done, evolve, note_doubled, turn};
-use crate::analysis::explore::net::actions::Action;
-use crate::analysis::explore::net::slots::Bit;
+use crate::analysis::explore::net::actions::{Action, StoredId};
+use crate::analysis::explore::net::slots::{Bit, SlotId};
 use crate::analysis::explore::search::reduction;
 use crate::analysis::explore::valuation::{State, Valuation, When};
 use crate::analysis::explore::verdicts::rivals;
 use crate::list::{List, PushAll};
-use crate::model::{Dialect, StepId, TransitionId, Trigger};
+use crate::model::{Dialect, Id, StepId, TransitionId, Trigger};
 use crate::sorted::sort_unstable;
 
 /// What the stored actions of one evolution do together.
 struct Outcome {
-    writes: Vec<(usize, Bit)>,
+    writes: Vec<(SlotId, Bit)>,
     /// A call is due, or a value changes that is not followed (A25).
     more: bool,
 }
@@ -52,7 +52,7 @@ pub(super) fn search(
         let Trail { done, evolutions, .. } = &mut *trail;
         let changes = outcome.more
             || after != valuation.now.active
-            || outcome.writes.iter().any(|(slot, bit)| valuation.now.slots[*slot] != *bit);
+            || outcome.writes.iter().any(|(slot, bit)| valuation.now.slots[slot.index()] != *bit);
         if !changes {
             done.cleared.push_all(cleared);
             done.too_long = *evolutions > net.max_evolutions;
@@ -111,7 +111,7 @@ fn activate(valuation: &mut Valuation<'_>) {
     let outcome = actions(valuation, &after, &[]);
     valuation.now.active = after;
     for (slot, bit) in outcome.writes {
-        valuation.now.slots[slot] = bit;
+        valuation.now.slots[slot.index()] = bit;
     }
 }
 
@@ -150,7 +150,7 @@ fn writes_more(valuation: &Valuation<'_>, after: &[StepId], cleared: &[Transitio
     valuation.now.active.iter().and(after).any(|step| steps[*step]) || cleared.iter().any(|id| transitions[*id])
 }
 
-fn commit(valuation: &mut Valuation<'_>, after: Vec<StepId>, writes: Vec<(usize, Bit)>) {
+fn commit(valuation: &mut Valuation<'_>, after: Vec<StepId>, writes: Vec<(SlotId, Bit)>) {
     // The memory of the snapshot before is used again: a search may make thousands of evolutions.
     let mut before = valuation.previous.take().unwrap_or_default();
     before.slots.clone_from(&valuation.now.slots);
@@ -163,7 +163,7 @@ fn commit(valuation: &mut Valuation<'_>, after: Vec<StepId>, writes: Vec<(usize,
         }
     }
     for (slot, bit) in writes {
-        valuation.now.slots[slot] = bit;
+        valuation.now.slots[slot.index()] = bit;
     }
     valuation.previous = Some(before);
     valuation.edgeless = false;
@@ -178,7 +178,7 @@ fn actions(valuation: &mut Valuation<'_>, after: &[StepId], cleared: &[Transitio
     }
     let before = valuation.now.active.clone();
     rivals::note(valuation, &before, after, cleared);
-    let mut due: Vec<usize> = Vec::new();
+    let mut due: Vec<StoredId> = Vec::new();
     let steps = before.iter().and(after.iter().filter(|step| before.binary_search(step).is_err()));
     for step in steps.filter_map(|step| net.actions.stored_of.get(step)) {
         due.extend(step);

@@ -3,7 +3,7 @@
 use super::{Done, evolve as clear, note_doubled};
 use crate::analysis::explore::net::{Net, Order};
 use crate::list::{List, PushAll};
-use crate::model::{StepId, TransitionId};
+use crate::model::{PartialId, StepId, TransitionId};
 use crate::sorted::sort_unstable;
 
 /// Whether what stands above imposes nothing new in an evolution from a situation that an evolution has led to: no step
@@ -46,7 +46,7 @@ pub(crate) fn evolve(
 
 /// The situation that what stands above imposes on a partial grafcet; none where it is free. `above` is the situation
 /// after the evolution of what stands above.
-fn imposed(net: &Net, part: usize, here: &[StepId], before: &[StepId], above: &[StepId]) -> Option<Vec<StepId>> {
+fn imposed(net: &Net, part: PartialId, here: &[StepId], before: &[StepId], above: &[StepId]) -> Option<Vec<StepId>> {
     match net.order(part, above) {
         Some(Order::To(steps)) => return Some(steps.clone()),
         Some(Order::Hold) => return Some(here.to_vec()),

@@ -11,9 +11,10 @@ use std::rc::Rc;
 use self::trail::Trail;
 use self::turn::Turn;
 use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::units::UnitId;
 use crate::analysis::explore::search::reduction::arbitrate;
 use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
-use crate::model::{StepId, TransitionId};
+use crate::model::{Id, StepId, TransitionId};
 use crate::sorted::sort_unstable;
 
 /// What happened in one run of a cycle.
@@ -44,7 +45,7 @@ pub(crate) struct Done {
 }
 
 /// The transitions that are enabled in a situation, in source order.
-pub(crate) fn enabled(net: &Net, unit: Option<usize>, active: &[StepId]) -> Vec<TransitionId> {
+pub(crate) fn enabled(net: &Net, unit: Option<UnitId>, active: &[StepId]) -> Vec<TransitionId> {
     let has = |step: &StepId| active.binary_search(step).is_ok();
     let mut enabled = Vec::new();
     for step in active {
@@ -110,7 +111,7 @@ pub(crate) fn end(valuation: &Valuation<'_>, when: When) -> State {
     let Snapshot { active, slots } = &valuation.now;
     let mut slots = slots.clone();
     for slot in &valuation.net.shown_slots {
-        slots[*slot] = valuation.net.initial_slots[*slot];
+        slots[slot.index()] = valuation.net.initial_slots[*slot];
     }
     let (active, slots) = (active.clone().into_boxed_slice(), slots.into_boxed_slice());
     State { first: false, active, slots, before, ages: Box::default() }

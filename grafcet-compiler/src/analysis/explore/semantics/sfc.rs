@@ -1,12 +1,12 @@
 //! The cycle of `sfc`: one evolution, then the actions.
 
 use super::{Done, evolve, note_doubled, tried};
-use crate::analysis::explore::net::actions::{Action, Command, Target, Timed};
+use crate::analysis::explore::net::actions::{Action, Command, Target, TargetId, Timed};
 use crate::analysis::explore::net::formula::Formula;
-use crate::analysis::explore::net::slots::Bit;
+use crate::analysis::explore::net::slots::{Bit, SlotId};
 use crate::analysis::explore::valuation::{State, Valuation, When};
 use crate::list::{List, PushAll};
-use crate::model::{Dialect, Qualifier, StepId, TransitionId, Trigger};
+use crate::model::{Dialect, Id, Qualifier, StepId, TransitionId, Trigger};
 use crate::sorted::{sort_by_key, sort_unstable};
 
 /// How the evolution changed the situation.
@@ -27,7 +27,7 @@ enum Moment {
 /// What an action does to the followed values.
 #[derive(Clone)]
 enum Effect<'n> {
-    Put(usize, Bit),
+    Put(SlotId, Bit),
     Run(&'n [Command]),
 }
 
@@ -73,8 +73,9 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
 fn act(valuation: &mut Valuation<'_>, change: &Change) {
     let net = valuation.net;
     let steps = change.before.iter().and(&valuation.now.active);
-    let mut numbers: Vec<usize> = steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().list();
-    let lasting = net.actions.lasting.iter().filter(|(slot, _)| valuation.now.slots[*slot] != Bit::False);
+    let mut numbers: Vec<TargetId> =
+        steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().list();
+    let lasting = net.actions.lasting.iter().filter(|(slot, _)| valuation.now.slots[slot.index()] != Bit::False);
     numbers.push_all(lasting.map(|(_, target)| *target));
     sort_unstable(&mut numbers);
     numbers.dedup();
@@ -111,7 +112,7 @@ fn act(valuation: &mut Valuation<'_>, change: &Change) {
     }
     sort_by_key(&mut runs, |(moment, position, _)| (*moment, *position));
     // Outputs are read as the previous cycle returned them.
-    let mut outputs: Vec<(usize, Bit)> = Vec::new();
+    let mut outputs: Vec<(SlotId, Bit)> = Vec::new();
     for (_, _, effect) in runs {
         match effect {
             Effect::Put(slot, bit) => write(valuation, slot, bit, &mut outputs),
@@ -126,20 +127,20 @@ fn act(valuation: &mut Valuation<'_>, change: &Change) {
         }
     }
     for (slot, bit) in outputs {
-        valuation.now.slots[slot] = bit;
+        valuation.now.slots[slot.index()] = bit;
     }
 }
 
-fn write(valuation: &mut Valuation<'_>, slot: usize, bit: Bit, outputs: &mut Vec<(usize, Bit)>) {
+fn write(valuation: &mut Valuation<'_>, slot: SlotId, bit: Bit, outputs: &mut Vec<(SlotId, Bit)>) {
     if valuation.net.actions.is_output[slot] {
         outputs.push((slot, bit));
     } else {
-        valuation.now.slots[slot] = bit;
+        valuation.now.slots[slot.index()] = bit;
     }
 }
 
 /// `Q = !R && (N || S_FF || (L && !L_TMR) || D_TMR || P || SD_TMR || DS_FF || (SL_FF && !SL_TMR))`, with unknown times.
-fn control(valuation: &mut Valuation<'_>, change: &Change, (slot, timed): (usize, &Timed), by: &[Action]) -> Bit {
+fn control(valuation: &mut Valuation<'_>, change: &Change, (slot, timed): (SlotId, &Timed), by: &[Action]) -> Bit {
     let mut on: Vec<Qualifier> = Vec::new();
     for action in by {
         if !on.contains(&action.qualifier) && is_on(valuation, change, action) {
@@ -148,14 +149,14 @@ fn control(valuation: &mut Valuation<'_>, change: &Change, (slot, timed): (usize
     }
     let reset = on.contains(&Qualifier::R);
     if by.iter().all(|action| action.qualifier.sets_or_resets()) {
-        return kept(valuation.now.slots[slot], on.contains(&Qualifier::S), reset);
+        return kept(valuation.now.slots[slot.index()], on.contains(&Qualifier::S), reset);
     }
     let mut q = Bit::from(on.iter().any(|qualifier| qualifier.drives_q_at_once()));
     for (qualifier, flip_flop) in &timed.flip_flops {
         let set =
             on.contains(qualifier) && (!qualifier.stores_when_time_is_over() || has_come(valuation, timed, *qualifier));
-        let stays = kept(valuation.now.slots[*flip_flop], set, reset);
-        valuation.now.slots[*flip_flop] = stays;
+        let stays = kept(valuation.now.slots[flip_flop.index()], set, reset);
+        valuation.now.slots[flip_flop.index()] = stays;
         let late = qualifier.times_its_flip_flop();
         if stays != Bit::False && (!late || has_come(valuation, timed, *qualifier)) && q != Bit::True {
             q = stays;

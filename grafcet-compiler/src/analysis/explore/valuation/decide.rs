@@ -4,6 +4,7 @@ use super::knowledge::Known;
 use super::{Valuation, When};
 use crate::analysis::explore::net::formula::{AtomId, Formula, Kind};
 use crate::analysis::explore::net::slots::Bit;
+use crate::model::{EdgeId, Id};
 
 impl Valuation<'_> {
     /// Whether the formula holds; what is not decided yet is decided now.
@@ -69,7 +70,7 @@ impl Valuation<'_> {
         }
     }
 
-    fn known_edge(&mut self, edge: usize, to: bool) -> Option<bool> {
+    fn known_edge(&mut self, edge: EdgeId, to: bool) -> Option<bool> {
         if self.edgeless {
             return Some(false);
         }
@@ -163,7 +164,7 @@ impl Valuation<'_> {
                 When::Sample => self.start.as_mut().unwrap_or(&mut self.now),
                 When::Before => self.previous.as_mut().unwrap_or(&mut self.now),
             };
-            snapshot.slots[slot] = Bit::from(value);
+            snapshot.slots[slot.index()] = Bit::from(value);
             return;
         }
         self.given.learn(atom, known);

@@ -16,7 +16,8 @@ use self::knowledge::{Knowledge, Known, Learnt, Tape};
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::net::links::Tries;
-use crate::analysis::explore::net::slots::Bit;
+use crate::analysis::explore::net::slots::{Bit, SlotId};
+use crate::analysis::explore::net::units::UnitId;
 use crate::analysis::explore::search::reduction::{Groups, Waits};
 use crate::analysis::explore::semantics::turn::Turn;
 use crate::sorted::sort_unstable;
@@ -28,6 +29,7 @@ pub(crate) struct State {
     pub(crate) first: bool,
     /// Active steps, ascending.
     pub(crate) active: Box<[StepId]>,
+    /// By [`SlotId`].
     pub(crate) slots: Box<[Bit]>,
     /// What edges compare with: the atoms' values in the last snapshot, as far as they were decided. All values that
     /// agree with this are possible.
@@ -41,6 +43,7 @@ pub(crate) struct State {
 pub(crate) struct Snapshot {
     /// Ascending.
     pub(crate) active: Vec<StepId>,
+    /// By [`SlotId`].
     pub(crate) slots: Vec<Bit>,
 }
 
@@ -57,7 +60,7 @@ pub(crate) enum When {
 pub(crate) struct Valuation<'n> {
     pub(crate) net: &'n Net,
     /// The piece that is explored alone; none is the whole chart.
-    pub(crate) unit: Option<usize>,
+    pub(crate) unit: Option<UnitId>,
     pub(crate) tape: Tape,
     /// Of this cycle.
     given: Knowledge,
@@ -75,7 +78,7 @@ pub(crate) struct Valuation<'n> {
     /// Steps entered in this cycle: their time is zero.
     pub(crate) just_entered: Vec<StepId>,
     /// What the running block has written.
-    pub(crate) own: Vec<(usize, Bit)>,
+    pub(crate) own: Vec<(SlotId, Bit)>,
     /// Searches for stability are not stopped by the bound, but where they are seen to turn for ever.
     pub(crate) to_the_turn: bool,
     /// The last turns that were seen so.
@@ -119,7 +122,7 @@ pub(crate) struct Valuation<'n> {
 }
 
 impl<'n> Valuation<'n> {
-    pub(crate) fn new(net: &'n Net, unit: Option<usize>) -> Self {
+    pub(crate) fn new(net: &'n Net, unit: Option<UnitId>) -> Self {
         let atoms = net.atoms.len();
         Self {
             net,

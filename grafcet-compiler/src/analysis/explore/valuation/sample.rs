@@ -63,7 +63,7 @@ impl Valuation<'_> {
     /// Decides all that the edges of the next cycle may compare with.
     pub(crate) fn decide_edges(&mut self, when: When) {
         let (net, atoms) = (self.net, self.edge_atoms());
-        for (edge, of) in net.edges.iter().enumerate() {
+        for (edge, of) in net.edges.iter() {
             if let Some(of) = of.as_ref().filter(|_| net.edge_reads(edge, &atoms)) {
                 self.decide(of, when);
             }

@@ -3,8 +3,8 @@
 use super::knowledge::Known;
 use super::{Snapshot, Valuation, When};
 use crate::analysis::explore::net::formula::{AtomId, Kind};
-use crate::analysis::explore::net::slots::Bit;
-use crate::model::StepId;
+use crate::analysis::explore::net::slots::{Bit, SlotId};
+use crate::model::{Id, MacroId, StepId};
 
 impl Valuation<'_> {
     /// What is known of an atom.
@@ -80,11 +80,11 @@ impl Valuation<'_> {
         }
     }
 
-    fn slot(&self, slot: usize, when: When) -> Known {
+    fn slot(&self, slot: SlotId, when: When) -> Known {
         let own = self.own.iter().rev().find(|(written, _)| *written == slot);
         let bit = match own {
             Some((_, bit)) if when == When::Now => *bit,
-            _ => self.at(when).slots[slot],
+            _ => self.at(when).slots[slot.index()],
         };
         match bit {
             Bit::False => Known::Bool(false),
@@ -114,11 +114,11 @@ impl Valuation<'_> {
         self.unit.is_none_or(|unit| self.net.unit_of[step] == unit)
     }
 
-    pub(super) fn owns(&self, id: usize) -> bool {
+    pub(super) fn owns(&self, id: MacroId) -> bool {
         self.net.macros[id].first().is_none_or(|step| self.is_own(*step))
     }
 
-    fn any_active(&self, id: usize, when: When) -> bool {
+    fn any_active(&self, id: MacroId, when: When) -> bool {
         let active = &self.at(when).active;
         self.net.macros[id].iter().any(|step| active.binary_search(step).is_ok())
     }

@@ -1,10 +1,11 @@
 //! What can still happen from each state on.
 
 use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::units::UnitId;
 use crate::analysis::explore::search::graph::Graph;
 use crate::analysis::explore::semantics;
 use crate::list::List;
-use crate::model::{StepId, TransitionId};
+use crate::model::{Id, StepId, TransitionId};
 use crate::sorted::sort_unstable;
 
 /// Per strongly connected group of states, what can still happen: which pieces of the chart move, which sources of
@@ -31,7 +32,7 @@ impl Future {
         sort_unstable(&mut waiting);
         waiting.dedup();
         let (group_of, groups) = groups(graph);
-        let mut future = Self { group_of, rows: Vec::new(), units: net.units, waiting, joins };
+        let mut future = Self { group_of, rows: Vec::new(), units: net.has_arcs.len(), waiting, joins };
         // The groups come in such an order that those to which one leads stand before it.
         for members in &groups {
             let row = future.row(net, graph, members);
@@ -62,13 +63,13 @@ impl Future {
                 }
                 self.note_changes(net, &mut row, &state.active, &graph.states[edge.to].active);
                 for transition in &edge.cleared {
-                    set(&mut row, net.unit_of_arc(*transition));
+                    set(&mut row, net.unit_of_arc(*transition).index());
                     for source in &net.arcs[*transition].sources {
                         mark(&mut row, self.wait(*source));
                     }
                 }
                 for step in &edge.changed {
-                    set(&mut row, net.unit_of[*step]);
+                    set(&mut row, net.unit_of[*step].index());
                     mark(&mut row, self.wait(*step));
                 }
                 for join in &edge.joins {
@@ -90,11 +91,11 @@ impl Future {
 
     fn note_changes(&self, net: &Net, row: &mut [u64], before: &[StepId], after: &[StepId]) {
         for step in before.iter().filter(|step| after.binary_search(step).is_err()) {
-            set(row, net.unit_of[*step]);
+            set(row, net.unit_of[*step].index());
             mark(row, self.wait(*step));
         }
         for step in after.iter().filter(|step| before.binary_search(step).is_err()) {
-            set(row, net.unit_of[*step]);
+            set(row, net.unit_of[*step].index());
         }
     }
 
@@ -108,8 +109,8 @@ impl Future {
     }
 
     /// Whether anything in the piece of the chart changes from the state on.
-    pub(crate) fn moves(&self, state: usize, unit: usize) -> bool {
-        self.get(state, Some(unit))
+    pub(crate) fn moves(&self, state: usize, unit: UnitId) -> bool {
+        self.get(state, Some(unit.index()))
     }
 
     /// Whether the source of an AND-convergence is left from the state on.

@@ -15,7 +15,7 @@ use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::graph::{Edge, Graph, Seen};
 use crate::analysis::explore::valuation::knowledge::Known;
 use crate::list::List;
-use crate::model::{StepId, Tree};
+use crate::model::{PartialId, StepId, Tree};
 use crate::sorted::sort_unstable;
 
 /// In how many cases it is looked whether one of several ways exists.
@@ -61,11 +61,11 @@ impl Exploration {
 
 /// Whether what can be done from a state can be done from each situation that it stands for.
 pub(crate) fn is_plain(net: &Net) -> bool {
-    net.edges.iter().all(Option::is_none)
+    net.edges.values().all(Option::is_none)
         && net.clocks.is_empty()
         && !net.has_unfollowed()
         && !net.links.any_computed()
-        && !net.initial_slots.contains(&Bit::Any)
+        && !net.is_any_slot_open()
 }
 
 /// Whether from some state of the graph there is no way to `home` nor to one of the `others`.
@@ -101,7 +101,7 @@ impl At {
     fn of(net: &Net, graph: &Graph, home: &[StepId], others: &[Stay]) -> Self {
         let mut steps = home.to_vec();
         sort_unstable(&mut steps);
-        let mut parts: Vec<usize> = steps.iter().map(|step| net.part_of[*step]).list();
+        let mut parts: Vec<PartialId> = steps.iter().map(|step| net.part_of[*step]).list();
         sort_unstable(&mut parts);
         let is_concerned = |step: &&StepId| parts.binary_search(&net.part_of[**step]).is_ok();
         let states = graph.states.iter().enumerate().filter(|(_, state)| !state.first);
@@ -154,9 +154,8 @@ impl At {
 
 /// What conditions of transitions read that is not followed, where no more is known of it.
 fn unfollowed(net: &Net) -> Vec<Tree> {
-    let is_any = |slot: usize| net.initial_slots[slot] == Bit::Any;
     let open = |atom: &&AtomId| match net.atoms[**atom].kind {
-        Kind::Slot(slot) => is_any(slot),
+        Kind::Slot(slot) => net.initial_slots[slot] == Bit::Any,
         _ => net.unfollowed[**atom] || net.links.is_computed(**atom),
     };
     let mut atoms: Vec<AtomId> = net.arcs.values().flat(|arc| &arc.atoms).filter(open).copied().list();
@@ -172,7 +171,7 @@ fn unfollowed(net: &Net) -> Vec<Tree> {
 /// Whether one of the cycles can be taken whatever the values are that they take for granted.
 fn exists<'g>(net: &Net, edges: impl Iterator<Item = &'g Edge>) -> bool {
     // Where nothing can be taken for granted, nothing is written down.
-    let nothing = !net.has_unfollowed() && !net.links.any_computed() && !net.initial_slots.contains(&Bit::Any);
+    let nothing = !net.has_unfollowed() && !net.links.any_computed() && !net.is_any_slot_open();
     let ways = edges.filter_map(|edge| if nothing { Some(&[][..]) } else { edge.granted.as_deref() });
     let ways: Vec<&[(AtomId, Known)]> = ways.list();
     covers(net, &ways, &[], &mut CASES.clone())

@@ -12,10 +12,11 @@ use self::future::Future;
 use self::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::{AtomId, Kind};
+use crate::analysis::explore::net::units::UnitId;
 use crate::analysis::explore::search::graph::{Cycle, Doubled, Graph};
 use crate::analysis::explore::valuation::knowledge::Known;
 use crate::list::{List, PushAll};
-use crate::model::{Id, PartialId, StepId, TransitionId};
+use crate::model::{StepId, TransitionId};
 use crate::sorted::{Set, sort_unstable};
 
 /// Turns numbers back into names.
@@ -128,18 +129,18 @@ impl Report<'_> {
         let mut known = Set::new();
         let states = among.into_iter().map(|number| (number, &self.graph.states[number]));
         for (number, state) in states.filter(|(_, state)| !state.first) {
-            let mut units: Vec<usize> = state.active.iter().map(|step| self.net.unit_of[*step]).list();
+            let mut units: Vec<UnitId> = state.active.iter().map(|step| self.net.unit_of[*step]).list();
             sort_unstable(&mut units);
             units.dedup();
             for unit in units {
                 if future.moves(number, unit) || !self.net.has_arcs[unit] || self.is_meant(&state.active, unit) {
                     continue;
                 }
-                let here = self.part_of(&state.active, unit);
+                let here = self.own(&state.active, unit);
                 if !known.insert(here.clone()) {
                     continue;
                 }
-                let partial = PartialId::new(self.net.part_of[here[0]]);
+                let partial = self.net.part_of[here[0]];
                 deadlocks.push(Deadlock { partial, steps: here, path: self.path_to(number) });
             }
         }
@@ -208,13 +209,13 @@ impl Report<'_> {
         None
     }
 
-    fn part_of(&self, active: &[StepId], unit: usize) -> Vec<StepId> {
+    fn own(&self, active: &[StepId], unit: UnitId) -> Vec<StepId> {
         active.iter().filter(|step| self.net.unit_of[**step] == unit).copied().list()
     }
 
     /// Whether the piece may stay where it is: a final step of it is active, or an order holds it.
-    fn is_meant(&self, active: &[StepId], unit: usize) -> bool {
-        let here = self.part_of(active, unit);
+    fn is_meant(&self, active: &[StepId], unit: UnitId) -> bool {
+        let here = self.own(active, unit);
         let held = |step: &StepId| self.net.order(self.net.part_of[*step], active).is_some();
         here.iter().any(|step| self.net.is_final[*step]) || self.graph.unit.is_none() && here.first().is_some_and(held)
     }

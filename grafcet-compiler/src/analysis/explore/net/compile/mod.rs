@@ -3,12 +3,13 @@
 mod numbers;
 
 use crate::analysis::combinational;
-use crate::analysis::explore::net::formula::{Atom, AtomId, Formula, Kind};
+use crate::analysis::explore::net::formula::{Atom, AtomId, Formula, Kind, SharedId};
 use crate::analysis::explore::net::links::Difference;
+use crate::analysis::explore::net::slots::SlotId;
 use crate::list::List;
 use crate::model::{
-    Arena, Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId, TimeRef, Tree,
-    Ty, Unary, VarId,
+    Arena, Binary, Blinker, DelayId, EdgeId, Model, Name, OutputId, Place, Qualifier, Read, StepId, TimeRef, Tree, Ty,
+    Unary, VarId,
 };
 use crate::sorted::{Map, Set};
 
@@ -16,7 +17,7 @@ use crate::sorted::{Map, Set};
 pub(crate) struct Compiler<'m> {
     model: &'m Model,
     /// The number of each place that is followed from cycle to cycle.
-    slots: &'m Map<Place, usize>,
+    slots: &'m Map<Place, SlotId>,
     /// Places with actions of two kinds.
     mixed: &'m Set<Place>,
     pub(crate) atoms: Arena<AtomId, Atom>,
@@ -24,9 +25,9 @@ pub(crate) struct Compiler<'m> {
     pub(crate) differences: Vec<Difference>,
     differences_of: Map<(Tree, Tree), AtomId>,
     /// What the edges look at, where they are used.
-    pub(crate) edges: Vec<Option<Formula>>,
-    pub(crate) shared: Vec<Formula>,
-    combinational: Map<Place, Option<usize>>,
+    pub(crate) edges: Arena<EdgeId, Option<Formula>>,
+    pub(crate) shared: Arena<SharedId, Formula>,
+    combinational: Map<Place, Option<SharedId>>,
     /// Inside the expression of an edge.
     in_edge: bool,
     /// What is compiled is what held when the cycle began.
@@ -38,7 +39,7 @@ pub(crate) struct Compiler<'m> {
 }
 
 impl<'m> Compiler<'m> {
-    pub(crate) fn new(model: &'m Model, slots: &'m Map<Place, usize>, mixed: &'m Set<Place>) -> Self {
+    pub(crate) fn new(model: &'m Model, slots: &'m Map<Place, SlotId>, mixed: &'m Set<Place>) -> Self {
         Self {
             model,
             slots,
@@ -47,8 +48,8 @@ impl<'m> Compiler<'m> {
             numbers: Map::new(),
             differences: Vec::new(),
             differences_of: Map::new(),
-            edges: model.edges.ids().map(|_| None).list(),
-            shared: Vec::new(),
+            edges: Arena::of(&model.edges, |_, _| None),
+            shared: Arena::default(),
             combinational: Map::new(),
             in_edge: false,
             was: false,
@@ -71,8 +72,8 @@ impl<'m> Compiler<'m> {
             }
             Tree::MacroElapsed(time, id) => {
                 let since = Tree::Read(Read::MacroSince(*id));
-                let active = Formula::Is(self.atom(&Tree::Read(Read::MacroActive(*id)), Kind::Macro(id.index())));
-                let elapsed = self.elapsed(tree, *time, &since, Kind::MacroSince(id.index()));
+                let active = Formula::Is(self.atom(&Tree::Read(Read::MacroActive(*id)), Kind::Macro(*id)));
+                let elapsed = self.elapsed(tree, *time, &since, Kind::MacroSince(*id));
                 active.and(elapsed)
             }
             Tree::Read(read) => self.read(tree, *read),
@@ -123,7 +124,7 @@ impl<'m> Compiler<'m> {
                 any(self.model.macros[id].steps.iter().map(|step| self.was_active(*step)).list())
             }
             Read::Active(step) => Formula::Is(self.atom(tree, Kind::Step(step))),
-            Read::MacroActive(id) => Formula::Is(self.atom(tree, Kind::Macro(id.index()))),
+            Read::MacroActive(id) => Formula::Is(self.atom(tree, Kind::Macro(id))),
             Read::Name(Name::Input(_) | Name::Param(_)) => Formula::Is(self.atom(tree, Kind::Free)),
             Read::Name(Name::Var(id)) => self.place(tree, Place::Var(id)),
             Read::Name(Name::Output(id)) => self.place(tree, Place::Output(id)),
@@ -152,13 +153,13 @@ impl<'m> Compiler<'m> {
         if late {
             return self.late_edge(id, rises);
         }
-        if self.edges[id.index()].is_none() {
+        if self.edges[id].is_none() {
             self.in_edge = true;
             let of = self.formula(&self.model.edges[id].of.tree);
             self.in_edge = false;
-            self.edges[id.index()] = Some(of);
+            self.edges[id] = Some(of);
         }
-        if rises { Formula::Rising(id.index()) } else { Formula::Falling(id.index()) }
+        if rises { Formula::Rising(id) } else { Formula::Falling(id) }
     }
 
     /// `sfc`: an edge of steps in an action compares what the evolution has led to with what that of the cycle before has: this
@@ -211,10 +212,7 @@ impl<'m> Compiler<'m> {
                 // While it is being compiled it is unknown to itself: a circle is refused elsewhere.
                 self.combinational.insert(place, None);
                 let formula = self.continuous(place);
-                let shared = formula.map(|formula| {
-                    self.shared.push(formula);
-                    self.shared.len() - 1
-                });
+                let shared = formula.map(|formula| self.shared.push(formula));
                 self.combinational.insert(place, shared);
                 shared
             }
@@ -261,10 +259,9 @@ impl<'m> Compiler<'m> {
                 None => asserted.push(asserts),
                 Some(tree) => {
                     // The last in the source wins: `asserts && tree || !asserts && value`.
-                    let index = self.shared.len();
-                    self.shared.push(asserts);
-                    let on = Formula::Shared(index).and(self.formula(tree));
-                    value = on.or(Formula::Shared(index).negate().and(value));
+                    let asserts = self.shared.push(asserts);
+                    let on = Formula::Shared(asserts).and(self.formula(tree));
+                    value = on.or(Formula::Shared(asserts).negate().and(value));
                     assignments += 1;
                 }
             }

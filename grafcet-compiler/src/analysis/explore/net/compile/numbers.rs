@@ -5,7 +5,7 @@ use crate::analysis::differences::FAR;
 use crate::analysis::explore::net::formula::{AtomId, Formula, Kind};
 use crate::analysis::explore::net::links::{Difference, Operand};
 use crate::analysis::numbers::{Sort, common, constant, domain, float_constant, is_arithmetic, range};
-use crate::model::{Binary, Id, Name, Read, Tree};
+use crate::model::{Binary, Name, Read, Tree};
 
 /// The position of the infinite among all floats.
 const INFINITE: i128 = 0x7FF0_0000_0000_0000;
@@ -75,7 +75,7 @@ impl Compiler<'_> {
     fn number(&mut self, tree: &Tree) -> Option<AtomId> {
         let kind = match tree {
             Tree::Read(Read::Since(step)) => Kind::Since(*step),
-            Tree::Read(Read::MacroSince(id)) => Kind::MacroSince(id.index()),
+            Tree::Read(Read::MacroSince(id)) => Kind::MacroSince(*id),
             _ if !self.is_number(tree) && self.model.variants_of_tree(tree).is_none() => return None,
             _ => {
                 let (low, high) = domain(self.model, tree).unwrap_or((i128::MIN, i128::MAX));
