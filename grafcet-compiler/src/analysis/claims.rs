@@ -3,7 +3,7 @@
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
 use super::combinational::written_out;
-use super::explore::{Answer, Doubt, Exploration, Limits, Stay, alone};
+use super::explore::{Answer, Doubt, Exploration, Limits, Path, Stay, alone};
 use super::{Facts, Logic, visible};
 use crate::list::{List, PushAll};
 use crate::model::{Claim, Effect, Expr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree, Ty};
@@ -83,8 +83,11 @@ pub enum Ruling {
     Open(String),
 }
 
-/// Of properties, whether what they are about happens.
-type Triggers<'m> = Vec<(&'m Property, Answer)>;
+/// What is answered of properties: whether they can be violated, or what they are about happens.
+type Answers<'m> = Vec<(&'m Property, Answer)>;
+
+/// What is looked for, of properties.
+type Sought<'m> = Vec<(&'m Property, Tree)>;
 
 /// The properties of a chart that are not proved.
 pub(crate) struct Claims<'m> {
@@ -94,49 +97,19 @@ pub(crate) struct Claims<'m> {
     /// Of the chart, for all rules.
     pub(crate) exploration: Exploration,
     /// What can be violated, or is not decided.
-    pub(crate) open: Vec<(&'m Property, Answer)>,
+    pub(crate) open: Answers<'m>,
     /// The same of ways home.
-    pub(crate) away: Vec<(&'m Property, Answer)>,
+    pub(crate) away: Answers<'m>,
     /// Of the properties that are about something, whether that happens.
-    pub(crate) triggers: Triggers<'m>,
+    pub(crate) triggers: Answers<'m>,
 }
 
 impl<'m> Claims<'m> {
     /// Explores the chart. Nobody can say the value of what has actions of two kinds, which is no matter of a proof.
     pub(crate) fn of(model: &'m Model, logic: &Logic<'_>, limits: Limits, facts: &'m Facts<'m>) -> Self {
         let mixed = facts.mixed(model);
-        let mut open = Vec::new();
-        let mut claimed: Vec<(&Property, Tree)> = Vec::new();
         let known = |property: &&Property| !property.claim.expressions().iter().any(|expr| reads_any(expr, mixed));
-        for property in model.properties.iter().filter(known) {
-            if matches!(property.claim, Claim::LeadsTo { .. } | Claim::Before { .. }) {
-                open.push((property, Answer::Unknown(Doubt::Cycles)));
-            }
-        }
-        let stated = model
-            .properties
-            .iter()
-            .filter(known)
-            .filter_map(|property| Some((property, property.claim.violation()?)))
-            .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))));
-        for (property, violation) in stated {
-            // A combinational variable is what it stands for at the end of the cycle.
-            let (violation, unfollowed) = match written_out(model, &violation) {
-                Some(written) => {
-                    let unfollowed = unfollowed(model, &written);
-                    (written, unfollowed)
-                }
-                None => {
-                    let unfollowed = vec![violation.clone()];
-                    (violation, unfollowed)
-                }
-            };
-            if unfollowed.is_empty() {
-                claimed.push((property, violation));
-            } else {
-                open.push((property, Answer::Unknown(Doubt::Unfollowed(unfollowed))));
-            }
-        }
+        let (claimed, mut open) = claimed(model, logic, &known);
         let (triggers, sought) = sought(model, logic, &known);
         let watched: Vec<&Tree> = claimed.iter().and(&sought).map(|(_, tree)| tree).list();
         let exploration = Exploration::with(model, facts, &limits, &watched);
@@ -148,14 +121,8 @@ impl<'m> Claims<'m> {
             let asked = matches!(answer, Answer::Unknown(_)).then(|| alone(violation));
             match asked.flatten().unwrap_or(answer) {
                 Answer::Never => {}
-                // The way may be one that does not happen.
-                Answer::Possible(_) if !model.orders.is_empty() => {
-                    open.push((*property, Answer::Unknown(Doubt::Cycles)));
-                }
-                Answer::Possible(_) if !by_time(model, violation).is_empty() => {
-                    open.push((*property, Answer::Unknown(Doubt::Unfollowed(by_time(model, violation)))));
-                }
-                answer => open.push((*property, answer)),
+                Answer::Possible(path) => open.push((*property, possible(model, violation, path))),
+                answer @ Answer::Unknown(_) => open.push((*property, answer)),
             }
         }
         let mut claims = Self { model, limits, facts, exploration, open, away: Vec::new(), triggers };
@@ -230,12 +197,43 @@ impl Left {
     }
 }
 
+/// What the exploration can look for of what properties exclude; and what is open without it, by the reason for that. What follows from
+/// the conditions is in neither.
+fn claimed<'m>(model: &'m Model, logic: &Logic<'_>, known: &dyn Fn(&&Property) -> bool) -> (Sought<'m>, Answers<'m>) {
+    let (mut claimed, mut open) = (Vec::new(), Vec::new());
+    for property in model.properties.iter().filter(known) {
+        if matches!(property.claim, Claim::LeadsTo { .. } | Claim::Before { .. }) {
+            open.push((property, Answer::Unknown(Doubt::Cycles)));
+        }
+    }
+    for property in model.properties.iter().filter(known) {
+        let Some(violation) = property.claim.violation() else { continue };
+        if logic.never(&logic.condition(&visible::resolved(model, &violation))) {
+            continue;
+        }
+        // A combinational variable is what it stands for at the end of the cycle.
+        let written = written_out(model, &violation);
+        let unfollowed = written.as_ref().map_or_else(|| vec![violation.clone()], |tree| unfollowed(model, tree));
+        if unfollowed.is_empty() {
+            claimed.push((property, written.unwrap_or(violation)));
+        } else {
+            open.push((property, Answer::Unknown(Doubt::Unfollowed(unfollowed))));
+        }
+    }
+    (claimed, open)
+}
+
+/// What a way to a violation says: it may be one that does not happen.
+fn possible(model: &Model, violation: &Tree, path: Path) -> Answer {
+    if !model.orders.is_empty() {
+        return Answer::Unknown(Doubt::Cycles);
+    }
+    let by_time = by_time(model, violation);
+    if by_time.is_empty() { Answer::Possible(path) } else { Answer::Unknown(Doubt::Unfollowed(by_time)) }
+}
+
 /// What the exploration can look for of what properties are about; and before that, what is known without it.
-fn sought<'m>(
-    model: &'m Model,
-    logic: &Logic<'_>,
-    known: &dyn Fn(&&Property) -> bool,
-) -> (Triggers<'m>, Vec<(&'m Property, Tree)>) {
+fn sought<'m>(model: &'m Model, logic: &Logic<'_>, known: &dyn Fn(&&Property) -> bool) -> (Answers<'m>, Sought<'m>) {
     let (mut told, mut sought) = (Vec::new(), Vec::new());
     for property in model.properties.iter().filter(known) {
         let Some(trigger) = property.claim.trigger() else { continue };
