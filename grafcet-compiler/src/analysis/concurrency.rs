@@ -83,11 +83,11 @@ impl Concurrency {
 
     /// The relation without the pairs of which more is known: they never are active together.
     #[must_use]
-    pub fn without(&self, apart: impl Fn(StepId, StepId) -> bool) -> Self {
+    pub fn without(&self, never: impl Fn(StepId, StepId) -> bool) -> Self {
         let mut relation = Relation::new(self.reachable.len());
         for a in 0..self.reachable.len() {
             let later = self.relation.of(a).filter(|b| *b >= a);
-            for b in later.filter(|b| *b == a || !apart(StepId::new(a), StepId::new(*b))) {
+            for b in later.filter(|b| *b == a || !never(StepId::new(a), StepId::new(*b))) {
                 relation.insert(a, b);
             }
         }

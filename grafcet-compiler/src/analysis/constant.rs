@@ -1,8 +1,8 @@
 //! Conditions that always have the same value, whatever the inputs.
 
-use super::{Answer, Condition, Logic};
+use super::{Condition, Logic};
 use crate::list::{List, PushAll};
-use crate::model::{Binary, Expr, Model, Read, StepId, Transition, TransitionId, Tree};
+use crate::model::{Binary, Model, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
 /// The value that a condition always has.
@@ -78,7 +78,7 @@ fn holds_while_enabled(logic: &Logic<'_>, transition: &Transition) -> bool {
 }
 
 /// Two steps that a condition wants to be active together, and that never are.
-pub(crate) fn apart(logic: &Logic<'_>, tree: &Tree) -> Option<(StepId, StepId)> {
+pub(crate) fn never_together(logic: &Logic<'_>, tree: &Tree) -> Option<(StepId, StepId)> {
     let mut steps: Vec<StepId> = Vec::new();
     let mut open = vec![tree];
     while let Some(tree) = open.pop() {
@@ -91,23 +91,6 @@ pub(crate) fn apart(logic: &Logic<'_>, tree: &Tree) -> Option<(StepId, StepId)> 
     let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
     let active: Vec<Condition> = steps.iter().map(active).list();
     let pairs = (0..steps.len()).flat(|a| (a + 1..steps.len()).map(move |b| (a, b)));
-    let mut apart = pairs.filter(|(a, b)| logic.impossible(&[(&active[*a], true), (&active[*b], true)]));
-    apart.next().map(|(a, b)| (steps[a], steps[b]))
-}
-
-fn edges(expr: &Expr) -> impl Iterator<Item = Read> + '_ {
-    expr.reads.iter().copied().filter(|read| matches!(read, Read::Rising(_) | Read::Falling(_)))
-}
-
-/// Whether an expression has an edge.
-pub(crate) fn has_edge(expr: &Expr) -> bool {
-    edges(expr).next().is_some()
-}
-
-/// Whether the condition certainly can hold while none of its edges does.
-pub(crate) fn holds_without_edge(logic: &Logic<'_>, expr: &Expr, condition: &Condition) -> bool {
-    let edges: Vec<Condition> = edges(expr).map(|read| logic.condition(&Tree::Read(read))).list();
-    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).list();
-    goals.push((condition, true));
-    matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_))
+    let mut excluded = pairs.filter(|(a, b)| logic.impossible(&[(&active[*a], true), (&active[*b], true)]));
+    excluded.next().map(|(a, b)| (steps[a], steps[b]))
 }

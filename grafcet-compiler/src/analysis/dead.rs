@@ -69,7 +69,7 @@ impl<'m> Dead<'m> {
         for (id, _) in open.iter().filter(|(_, waits)| !waits.is_empty()) {
             waiting[id.index()] = true;
         }
-        let mut behind = vec![false; model.steps.len()];
+        let mut following = vec![false; model.steps.len()];
         let mut follow = Set::new();
         let causes = open.iter().filter(|(_, waits)| waits.is_empty());
         let mut work: Vec<StepId> = causes.flat(|(id, _)| model.transitions[*id].targets.iter().copied()).list();
@@ -77,14 +77,14 @@ impl<'m> Dead<'m> {
         work.push_all(model.steps.ids().filter(|step| !self.is_drawn(*step)));
         while !work.is_empty() {
             while let Some(step) = work.pop() {
-                if !std::mem::replace(&mut behind[step.index()], true) {
+                if !std::mem::replace(&mut following[step.index()], true) {
                     // What waits itself leads on only where it follows.
                     let onward = model.leaving[step.index()].iter().filter(|id| !waiting[id.index()]);
                     work.extend(onward.flat(|id| &model.transitions[*id].targets));
                 }
             }
             open.retain(|(id, waits)| {
-                let follows = waits.iter().any(|step| behind[step.index()]);
+                let follows = waits.iter().any(|step| following[step.index()]);
                 if follows {
                     follow.insert(*id);
                     waiting[id.index()] = false;

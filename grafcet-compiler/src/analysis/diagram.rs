@@ -62,7 +62,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_nothing_to_do_with_each_other_stands_one_behind_the_other() {
+    fn what_has_nothing_to_do_with_each_other_stands_one_after_the_other() {
         assert_eq!(of(&[&[0]]), Some(vec![0, 0, 1]));
         assert_eq!(of(&[&[]]), Some(vec![]), "no step, and nothing to ask");
         assert_eq!(of(&[]), None, "there always is a situation");

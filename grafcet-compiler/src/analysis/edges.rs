@@ -1,8 +1,36 @@
-//! What changes with an edge that is gone in the next cycle.
+//! What expressions ask of edges, and what changes with an edge that is gone in the next cycle.
 
+use super::{Answer, Condition, Logic, is_constant_read};
 use crate::list::List;
-use crate::model::{Binary, EdgeId, Effect, Id, Model, Read, StepId, Tree, Unary};
+use crate::model::{Binary, EdgeId, Effect, Expr, Id, Model, Read, StepId, Tree, Unary};
 use crate::sorted::Set;
+
+/// The edge that is read.
+fn edge_of(read: &Read) -> Option<EdgeId> {
+    match read {
+        Read::Rising(edge) | Read::Falling(edge) => Some(*edge),
+        _ => None,
+    }
+}
+
+/// Whether an expression has an edge.
+pub(crate) fn has_edge(expr: &Expr) -> bool {
+    expr.reads.iter().any(|read| edge_of(read).is_some())
+}
+
+/// Whether the condition certainly can hold while none of its edges does.
+pub(crate) fn holds_without_edge(logic: &Logic<'_>, expr: &Expr, condition: &Condition) -> bool {
+    let edges = expr.reads.iter().filter(|read| edge_of(read).is_some());
+    let edges: Vec<Condition> = edges.map(|read| logic.condition(&Tree::Read(*read))).list();
+    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).list();
+    goals.push((condition, true));
+    matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_))
+}
+
+/// Whether an edge is read of what has one value throughout a cycle, which only the first evolution sees (A2).
+pub(super) fn is_edge_of_inputs(model: &Model, read: &Read) -> bool {
+    edge_of(read).is_some_and(|edge| model.edges[edge].of.reads.iter().all(is_constant_read))
+}
 
 /// What may change because an edge is gone that was there in the last cycle.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
@@ -56,13 +84,6 @@ pub(crate) fn edge_ends(model: &Model, helps: bool) -> Vec<EdgeEnd> {
         (evolving.always, acting.always) = (true, true);
     }
     all
-}
-
-fn edge_of(read: &Read) -> Option<EdgeId> {
-    match read {
-        Read::Rising(edge) | Read::Falling(edge) => Some(*edge),
-        _ => None,
-    }
 }
 
 /// The edges of a tree that are not only asked for (`wanted`), or only for not being there.

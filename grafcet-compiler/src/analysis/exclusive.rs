@@ -11,10 +11,10 @@ pub(super) fn exclusive(model: &Model) -> Vec<bool> {
     let all_exclude = |ids: &Vec<TransitionId>| {
         let conditions: Vec<_> = ids.iter().map(|id| logic.condition(&model.transitions[*id].condition.tree)).list();
         let all: Vec<_> = ids.iter().zip(&conditions).list();
-        let apart = |(a, first): (&TransitionId, _), (b, second): (&TransitionId, _)| {
+        let exclude = |(a, first): (&TransitionId, _), (b, second): (&TransitionId, _)| {
             model.exclude_each_other(*a, *b) || logic.exclusive(first, second)
         };
-        all.iter().enumerate().all(|(i, a)| all[i + 1..].iter().all(|b| apart(*a, *b)))
+        all.iter().enumerate().all(|(i, a)| all[i + 1..].iter().all(|b| exclude(*a, *b)))
     };
     model.leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).list()
 }

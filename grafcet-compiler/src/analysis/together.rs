@@ -28,7 +28,7 @@ pub enum Situations {
     Diagram(Vec<u8>),
     /// A row for each step: with which others it can be active.
     Pairs(Vec<u8>),
-    /// The same, and below it what each piece can be in: its steps as a row, the step without which none of them is active (or 255), how many nodes, and these.
+    /// The same, and after it what each piece can be in: its steps as a row, the step without which none of them is active (or 255), how many nodes, and these.
     Parts(Vec<u8>, Vec<u8>),
     /// A row for each step, and as many as can be together always are: so it is in a chart that is well nested, whose branches exclude each other.
     Whole(Vec<u8>),

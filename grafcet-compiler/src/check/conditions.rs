@@ -1,7 +1,7 @@
 //! `never_true`, `always_true`, `level_source_transition`, `event_without_edge`: what is wrong with a condition by itself.
 
 use super::branches::never_else;
-use crate::analysis::{Condition, Constant, Constants, Logic, apart, constant, has_edge, holds_without_edge};
+use crate::analysis::{Condition, Constant, Constants, Logic, constant, has_edge, holds_without_edge, never_together};
 use crate::diagnostic::{Severity, Sink, rules};
 use crate::list::List;
 use crate::model::{Expr, LevelAttr, Model, Transition, TransitionId, Tree};
@@ -59,7 +59,7 @@ pub(super) fn check(
 /// A transition whose condition never holds.
 fn never(model: &Model, logic: &Logic<'_>, transition: &Transition, scopes: &[&[LevelAttr]], sink: &mut Sink) {
     if !logic.never(&logic.condition(transition.own_condition())) {
-        behind_any(model, transition, scopes, sink);
+        after_any(model, transition, scopes, sink);
     } else if transition.otherwise.is_some() {
         sink.rule(&rules::NEVER_TRUE, scopes, vec![(transition.condition.mark, never_else(model, transition))]);
     } else {
@@ -69,7 +69,7 @@ fn never(model: &Model, logic: &Logic<'_>, transition: &Transition, scopes: &[&[
 }
 
 /// Whenever the condition holds, something clears that comes first.
-fn behind_any(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]], sink: &mut Sink) {
+fn after_any(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]], sink: &mut Sink) {
     let (own, text) = (model.transition_text(transition), &transition.condition.text);
     let message = format!(
         "{own} never clears: whenever `{text}` holds, `any` comes before it; let it wait for something else, or leave its step out: \
@@ -97,7 +97,7 @@ fn enabled_anyway(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]
 }
 
 fn never_true(model: &Model, logic: &Logic<'_>, expr: &Expr, what: &str, scopes: &[&[LevelAttr]], sink: &mut Sink) {
-    let why = apart(logic, &expr.tree).map_or_else(String::new, |(a, b)| {
+    let why = never_together(logic, &expr.tree).map_or_else(String::new, |(a, b)| {
         let (a, b) = (&model.steps[a].name, &model.steps[b].name);
         format!(" (`{a}` and `{b}` are never active together)")
     });

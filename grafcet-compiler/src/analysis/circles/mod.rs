@@ -272,8 +272,8 @@ impl<'m> Circles<'m> {
         let Some(own) = plain(id) else { return false };
         !self.logic.has_assumptions()
             && transition.targets.iter().flat(|step| &self.model.leaving[step.index()]).all(|next| {
-                let apart = plain(*next).is_some_and(|reads| reads.iter().all(|read| !own.contains(read)));
-                apart && !self.always[next.index()]
+                let is_of_others = plain(*next).is_some_and(|reads| reads.iter().all(|read| !own.contains(read)));
+                is_of_others && !self.always[next.index()]
             })
     }
 }

@@ -81,12 +81,12 @@ impl<'v, 'm> View<'v, 'm> {
 
     fn is_excluded(&self, step: StepId, active: &Set<StepId>) -> bool {
         let concurrency = self.circles.concurrency;
-        let apart = |other: &StepId| {
+        let excludes = |other: &StepId| {
             self.circles.model.steps[*other].partial == self.circles.model.steps[step].partial
                 && concurrency.reachable(*other)
                 && !concurrency.together(*other, step)
         };
-        active.iter().any(apart)
+        active.iter().any(excludes)
     }
 
     fn macro_active(&self, id: MacroId) -> Option<bool> {

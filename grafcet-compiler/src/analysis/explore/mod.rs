@@ -33,7 +33,7 @@ use self::limits::{answers, length, limit, several};
 use self::net::Net;
 use self::net::units::UnitId;
 use self::search::graph::{Graph, Seen};
-use self::search::some_ways::{self, Ways};
+use self::search::some_ways::{self, FoundOnWays};
 use self::search::whole::{Budget, Detail, explore_whole};
 use self::search::{Search, settles as stability};
 use self::verdicts::Report;
@@ -189,8 +189,8 @@ impl Exploration {
     }
 
     /// What was found on some ways, where not all were gone.
-    fn add(&mut self, ways: Option<Ways>) {
-        let Some(Ways { graphs, deadlocks, stuck_joins, work }) = ways else { return };
+    fn add(&mut self, ways: Option<FoundOnWays>) {
+        let Some(FoundOnWays { graphs, deadlocks, stuck_joins, work }) = ways else { return };
         for graph in &graphs {
             for (step, activation) in (Report { net: &self.net, graph }).activations() {
                 self.unsafe_steps.or_insert_with(step, || activation);

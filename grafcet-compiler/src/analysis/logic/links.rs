@@ -249,8 +249,8 @@ fn pair(model: &Model, concurrency: Option<&Concurrency>, a: &Activity<'_>, b: &
     let meet = |x: &StepId, y: &StepId| {
         x == y || !concurrency.reachable(*x) || !concurrency.reachable(*y) || concurrency.together(*x, *y)
     };
-    let apart = !a.steps.iter().any(|x| b.steps.iter().any(|y| meet(x, y)));
-    apart.then(|| first.and(second).not())
+    let never_meet = !a.steps.iter().any(|x| b.steps.iter().any(|y| meet(x, y)));
+    never_meet.then(|| first.and(second).not())
 }
 
 /// Whether `inner` sits, at any depth, in an enclosure of `outer`.

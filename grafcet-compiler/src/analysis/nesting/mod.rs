@@ -210,10 +210,10 @@ impl<'m> Reduction<'m> {
         let arcs = || sequences.within[branch].iter().map(|arc| &self.arcs[*arc]);
         let Some(last) = nodes.iter().find(|node| last.contains(*node)) else { return false };
         let number = |node: usize| nodes.binary_search(&node).unwrap_or_default();
-        let (mut before, mut behind) = (vec![Vec::new(); nodes.len()], vec![Vec::new(); nodes.len()]);
+        let (mut before, mut after) = (vec![Vec::new(); nodes.len()], vec![Vec::new(); nodes.len()]);
         for arc in arcs() {
             let (from, to) = (number(arc.sources[0]), number(arc.targets[0]));
-            behind[from].push(to);
+            after[from].push(to);
             before[to].push(from);
         }
         let entered = sequences.entering[branch].iter().flat(|arc| &self.arcs[*arc].targets);
@@ -221,8 +221,8 @@ impl<'m> Reduction<'m> {
         let first: Vec<usize> =
             entered.and(&active).filter(|node| nodes.contains(node)).map(|node| number(*node)).list();
         active.len() < 2
-            && behind[number(*last)].is_empty()
-            && reached(&first, &behind).iter().all(|is| *is)
+            && after[number(*last)].is_empty()
+            && reached(&first, &after).iter().all(|is| *is)
             && reached(&[number(*last)], &before).iter().all(|is| *is)
     }
 
@@ -264,17 +264,17 @@ impl<'m> Reduction<'m> {
     fn outermost(self) -> Option<Nesting> {
         let left: Vec<usize> = (0..self.nodes.len()).filter(|node| !self.inside[*node]).list();
         let number = |node: usize| left.binary_search(&node).unwrap_or_default();
-        let (mut before, mut behind) = (vec![Vec::new(); left.len()], vec![Vec::new(); left.len()]);
+        let (mut before, mut after) = (vec![Vec::new(); left.len()], vec![Vec::new(); left.len()]);
         for arc in self.arcs.iter().filter(|arc| arc.outside) {
             let (from, to) = (number(arc.sources[0]), number(arc.targets[0]));
-            behind[from].push(to);
+            after[from].push(to);
             before[to].push(from);
         }
         let nodes: Vec<Node> = left.iter().map(|node| self.nodes[*node].clone()).list();
         let active: Vec<usize> = (0..nodes.len()).filter(|node| nodes[*node].active).list();
         let is_sequence = active.len() == 1
-            && behind.iter().all(|next| !next.is_empty())
-            && reached(&active, &behind).iter().all(|is| *is);
+            && after.iter().all(|next| !next.is_empty())
+            && reached(&active, &after).iter().all(|is| *is);
         is_sequence.then_some(Nesting { nodes, before, independent: self.independent })
     }
 }

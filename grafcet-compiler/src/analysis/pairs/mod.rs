@@ -121,9 +121,9 @@ impl Search {
     fn clear_together(&self, chart: &Chart, demand: &Demand, partner: usize) -> bool {
         let other = &chart.arcs[partner];
         let meets = |theirs: &Demand| {
-            let apart = |a: &usize| theirs.active.iter().any(|b| a != b && !self.relation.contains(*a, *b));
+            let is_excluded = |a: &usize| theirs.active.iter().any(|b| a != b && !self.relation.contains(*a, *b));
             // What fails most often is asked first.
-            !demand.active.iter().any(apart)
+            !demand.active.iter().any(is_excluded)
                 && demand.inactive.is_disjoint(&theirs.active)
                 && theirs.inactive.is_disjoint(&demand.active)
                 && self.is_possible(chart, other, theirs)

@@ -11,6 +11,7 @@ mod successors;
 
 use self::successors::Successors;
 use super::Concurrency;
+use super::edges::is_edge_of_inputs;
 use crate::list::List;
 use crate::model::{Id, Model, Name, Qualifier, Read, StepId, TransitionId};
 use crate::sorted::Set;
@@ -136,10 +137,7 @@ fn search_ends(model: &Model, successors: &mut Successors<'_>) -> Ends {
 /// Whether a source transition, which nothing has to enable, may go on filling a chart in which what clears depends on what
 /// is active or stored: the steps after it can then turn each other on and off.
 fn is_refilled(model: &Model) -> bool {
-    let varies = |read: &Read| match read {
-        Read::Rising(id) | Read::Falling(id) => model.edges[*id].of.reads.iter().any(|read| !is_constant_read(read)),
-        other => !is_constant_read(other),
-    };
+    let varies = |read: &Read| !is_constant_read(read) && !is_edge_of_inputs(model, read);
     let mut transitions = model.transitions.values();
     let mut reads = model.transitions.values().flat(|transition| &transition.condition.reads);
     transitions.any(|transition| transition.sources.is_empty()) && (model.partials.len() > 1 || reads.any(varies))
@@ -217,8 +215,8 @@ impl Tarjan {
             match next.next() {
                 Some(child) => match self.order[child.index()] {
                     None => {
-                        let behind = self.meet(child, successors, among);
-                        path.push((child, behind.into_iter()));
+                        let following = self.meet(child, successors, among);
+                        path.push((child, following.into_iter()));
                     }
                     Some(order) if self.open.contains(&child) => {
                         self.low[at.index()] = self.low[at.index()].min(order);

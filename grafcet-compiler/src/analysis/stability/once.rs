@@ -1,7 +1,7 @@
 //! What happens once in a cycle at most: transitions that clear, events.
 
-use super::is_constant_read;
 use crate::analysis::Concurrency;
+use crate::analysis::edges::is_edge_of_inputs;
 use crate::model::{
     Association, Binary, Blink, Blinker, Model, Read, StepId, TimeRef, Transition, TransitionId, Tree, Unary,
 };
@@ -12,7 +12,7 @@ pub(super) fn clears_once(model: &Model, concurrency: &Concurrency, id: Transiti
     let transition = &model.transitions[id];
     let timed = |step: StepId| transition.sources.contains(&step) && is_left(model, concurrency, id, step);
     asks(&transition.condition.tree, &|tree| match tree {
-        Tree::Read(_) => is_edge_of_inputs(model, tree),
+        Tree::Read(read) => is_edge_of_inputs(model, read),
         Tree::Elapsed(TimeRef::Ticks(ticks), step) => *ticks > 0 && timed(*step),
         // A period begins with the part in which it is true.
         Tree::Unary(Unary::Not, of) => match **of {
@@ -25,14 +25,8 @@ pub(super) fn clears_once(model: &Model, concurrency: &Concurrency, id: Transiti
 
 /// Whether the event of an action is an edge of inputs.
 pub(super) fn happens_once(model: &Model, association: &Association) -> bool {
-    association.event.as_ref().is_some_and(|event| asks(&event.tree, &|tree| is_edge_of_inputs(model, tree)))
-}
-
-fn is_edge_of_inputs(model: &Model, tree: &Tree) -> bool {
-    match tree {
-        Tree::Read(Read::Rising(id) | Read::Falling(id)) => model.edges[*id].of.reads.iter().all(is_constant_read),
-        _ => false,
-    }
+    let is_edge = |tree: &Tree| matches!(tree, Tree::Read(read) if is_edge_of_inputs(model, read));
+    association.event.as_ref().is_some_and(|event| asks(&event.tree, &is_edge))
 }
 
 /// Whether the condition holds only where one of these does.

@@ -5,6 +5,7 @@
 //! situation is the same; and between two of these steps it comes to no step twice, if there is no circle without them.
 
 use crate::analysis::Concurrency;
+use crate::analysis::edges::is_edge_of_inputs;
 use crate::list::List;
 use crate::model::{Id, Model, Qualifier, Read, StepId, TimeRef, Transition};
 
@@ -45,11 +46,10 @@ pub(super) fn longest(model: &Model, concurrency: &Concurrency) -> Option<usize>
 /// Whether a condition is the same in all evolutions but the first, as long as its transition's source steps are not entered anew.
 fn holds(model: &Model, transition: &Transition, read: &Read) -> bool {
     match read {
-        Read::Rising(id) | Read::Falling(id) => model.edges[*id].of.reads.iter().all(is_constant_read),
         Read::Elapsed(TimeRef::Ticks(_) | TimeRef::Param(_), step) | Read::Since(step) => {
             transition.sources.contains(step)
         }
-        read => is_constant_read(read),
+        read => is_constant_read(read) || is_edge_of_inputs(model, read),
     }
 }
 
@@ -90,8 +90,8 @@ impl Paths {
         let mut longest = 0;
         for id in &model.leaving[step.index()] {
             let targets = &model.transitions[*id].targets;
-            let behind = targets.iter().filter(|target| !self.alone[target.index()]);
-            longest = longest.max(1 + behind.map(|target| self.longest[target.index()]).max().unwrap_or(0));
+            let following = targets.iter().filter(|target| !self.alone[target.index()]);
+            longest = longest.max(1 + following.map(|target| self.longest[target.index()]).max().unwrap_or(0));
         }
         longest
     }

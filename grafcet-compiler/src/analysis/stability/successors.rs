@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Candidates, is_constant_read};
+use crate::analysis::edges::is_edge_of_inputs;
 use crate::analysis::{Condition, Logic};
 use crate::list::List;
 use crate::model::{Binary, Blink, Blinker, ForceOrder, Id, Model, Read, StepId, TimeRef, TransitionId, Tree, Unary};
@@ -146,9 +147,7 @@ fn just_entered(model: &Model, tree: &Tree, steps: &[StepId]) -> Tree {
     match tree {
         Tree::Elapsed(TimeRef::Ticks(1..), step) if steps.contains(step) => Tree::Bool(false),
         Tree::Read(Read::Blink(Blink { of: Blinker::Step(step), .. })) if steps.contains(step) => Tree::Bool(true),
-        Tree::Read(Read::Rising(id) | Read::Falling(id)) if model.edges[*id].of.reads.iter().all(is_constant_read) => {
-            Tree::Bool(false)
-        }
+        Tree::Read(read) if is_edge_of_inputs(model, read) => Tree::Bool(false),
         Tree::Binary(Binary::Ge | Binary::Gt, a, b) => match (&**a, &**b) {
             (Tree::Read(Read::Since(step)), Tree::Read(Read::Ticks(1..))) if steps.contains(step) => Tree::Bool(false),
             _ => tree.clone(),

@@ -50,9 +50,9 @@ impl Bits {
             return Some(low);
         }
         (0..MOST).find_map(|at| {
-            let (bit, below) = (1 << at, (1 << at) - 1);
-            let above = low & !(below | bit);
-            let number = above | bit | self.ones & below;
+            let (bit, lower) = (1 << at, (1 << at) - 1);
+            let above = low & !(lower | bit);
+            let number = above | bit | self.ones & lower;
             (low & bit == 0 && self.allow(number)).then_some(number)
         })
     }
@@ -63,9 +63,9 @@ impl Bits {
             return Some(high);
         }
         (0..MOST).find_map(|at| {
-            let (bit, below) = (1 << at, (1 << at) - 1);
-            let above = high & !(below | bit);
-            let number = above | !self.zeros & below;
+            let (bit, lower) = (1 << at, (1 << at) - 1);
+            let above = high & !(lower | bit);
+            let number = above | !self.zeros & lower;
             (high & bit != 0 && self.allow(number)).then_some(number)
         })
     }

@@ -233,12 +233,12 @@ impl Question<'_> {
             values.push(value);
         }
         let lies = |term: usize, (low, high): Span| values[term].is_none_or(|value| low <= value && value <= high);
-        let apart = |(a, b, (low, high)): &(usize, usize, Span)| match (values[*a], values[*b]) {
+        let differ_so = |(a, b, (low, high)): &(usize, usize, Span)| match (values[*a], values[*b]) {
             (Some(a), Some(b)) => *low <= a - b && a - b <= *high,
             _ => true,
         };
         let demands = self.demands;
-        if !demands.spans.iter().all(|(term, span)| lies(*term, *span)) || !demands.differences.iter().all(apart) {
+        if !demands.spans.iter().all(|(term, span)| lies(*term, *span)) || !demands.differences.iter().all(differ_so) {
             return Ok(Found::Nothing);
         }
         if !self.usual {

@@ -91,51 +91,51 @@ impl<'t> Question<'t> {
 
     /// How far terms lie apart; none where that is not possible, else whether anything has become known.
     fn compare(&mut self, spans: &mut [Span]) -> Result<Option<bool>, Spent> {
-        let mut apart = Differences::new(spans.len());
+        let mut differences = Differences::new(spans.len());
         for (a, b, span) in &self.demands.differences {
-            apart.within(a + 1, b + 1, *span);
+            differences.within(a + 1, b + 1, *span);
         }
         for (term, node) in self.terms.nodes.iter().enumerate().filter(|(term, _)| self.used[*term]) {
             match node.what {
                 What::Exact(Operation::Add, a, b) => {
-                    apart.within(term + 1, a + 1, spans[b]);
-                    apart.within(term + 1, b + 1, spans[a]);
+                    differences.within(term + 1, a + 1, spans[b]);
+                    differences.within(term + 1, b + 1, spans[a]);
                 }
                 What::Exact(Operation::Sub, a, b) => {
-                    apart.within(a + 1, term + 1, spans[b]);
-                    apart.within(a + 1, b + 1, spans[term]);
+                    differences.within(a + 1, term + 1, spans[b]);
+                    differences.within(a + 1, b + 1, spans[term]);
                 }
                 What::Exact(Operation::Min, a, b) => {
-                    apart.at_most(term + 1, a + 1, 0);
-                    apart.at_most(term + 1, b + 1, 0);
+                    differences.at_most(term + 1, a + 1, 0);
+                    differences.at_most(term + 1, b + 1, 0);
                 }
                 What::Exact(Operation::Max, a, b) => {
-                    apart.at_most(a + 1, term + 1, 0);
-                    apart.at_most(b + 1, term + 1, 0);
+                    differences.at_most(a + 1, term + 1, 0);
+                    differences.at_most(b + 1, term + 1, 0);
                 }
                 What::Exact(..) | What::Constant | What::Leaf => {}
                 What::Fit(of, fit) => {
                     if let Some(by) = self.offset(fit, spans[of]) {
-                        apart.within(of + 1, term + 1, (by, by));
+                        differences.within(of + 1, term + 1, (by, by));
                     }
                 }
             }
         }
-        if apart.len() == 0 {
+        if differences.len() == 0 {
             return Ok(Some(false));
         }
         for (term, span) in spans.iter().enumerate().filter(|(term, _)| self.used[*term]) {
-            apart.within(term + 1, 0, *span);
+            differences.within(term + 1, 0, *span);
         }
-        self.pay(apart.len() * 3)?;
-        if !apart.is_possible() {
+        self.pay(differences.len() * 3)?;
+        if !differences.is_possible() {
             return Ok(None);
         }
         let mut changed = false;
-        for (term, (low, high)) in apart.ranges().into_iter().skip(1).enumerate() {
-            let known = spans[term];
-            spans[term] = meet(known, (low.unwrap_or(known.0), high.unwrap_or(known.1)));
-            changed |= spans[term] != known;
+        for (term, (low, high)) in differences.ranges().into_iter().skip(1).enumerate() {
+            let before = spans[term];
+            spans[term] = meet(before, (low.unwrap_or(before.0), high.unwrap_or(before.1)));
+            changed |= spans[term] != before;
         }
         Ok(Some(changed))
     }

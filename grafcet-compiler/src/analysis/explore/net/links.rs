@@ -297,10 +297,10 @@ impl Compared {
                 _ => {}
             }
         }
-        let is_apart = |(atom, a, b): &(AtomId, usize, usize)| {
+        let is_explained = |(atom, a, b): &(AtomId, usize, usize)| {
             known(*atom).is_none_or(|(low, _)| low <= FAR) || none[*a] || none[*b]
         };
-        self.differences.iter().all(is_apart).then_some(none)
+        self.differences.iter().all(is_explained).then_some(none)
     }
 }
 

@@ -35,7 +35,7 @@ const ENDS: usize = 8;
 const REPLAYS: usize = 6;
 
 /// What was found on some ways.
-pub(crate) struct Ways {
+pub(crate) struct FoundOnWays {
     /// Shorter ones before longer ones.
     pub(crate) graphs: Vec<Graph>,
     pub(crate) deadlocks: Vec<Deadlock>,
@@ -44,8 +44,8 @@ pub(crate) struct Ways {
 }
 
 /// Goes through a chart twice: the clusters in the order of the source, and the other way round.
-pub(crate) fn go(net: &Net, limit: u64, seen: &mut Seen) -> Ways {
-    let mut ways = Ways { graphs: Vec::new(), deadlocks: Vec::new(), stuck_joins: Vec::new(), work: 0 };
+pub(crate) fn go(net: &Net, limit: u64, seen: &mut Seen) -> FoundOnWays {
+    let mut ways = FoundOnWays { graphs: Vec::new(), deadlocks: Vec::new(), stuck_joins: Vec::new(), work: 0 };
     let mut long = Vec::new();
     for backwards in [false, true] {
         let (graph, done, work) = search(net, limit / 3, seen).wander(backwards);
@@ -66,7 +66,7 @@ fn search<'n, 's>(net: &'n Net, limit: u64, seen: &'s mut Seen) -> Search<'n, 's
     search
 }
 
-impl Ways {
+impl FoundOnWays {
     /// Goes only what led to each activation of an active step; all else waits.
     fn shorten(&mut self, net: &Net, graph: &Graph, limit: u64, seen: &mut Seen) {
         let mut plans: Vec<Vec<TransitionId>> = Vec::new();

@@ -97,12 +97,13 @@ impl Valuation<'_> {
     fn can_hold(&self, atom: AtomId, when: When) -> bool {
         let net = self.net;
         let Kind::Step(step) = net.atoms[atom].kind else { return true };
-        let is_apart = |other: &AtomId| match net.atoms[*other].kind {
+        let is_excluded = |other: &AtomId| match net.atoms[*other].kind {
             Kind::Step(of) => of != step && self.given.get(*other) == Known::Bool(true) && !net.may_meet(step, of),
             _ => false,
         };
         when == When::Before
-            || self.now.active.iter().all(|own| net.may_meet(step, *own)) && !self.given.learnt().iter().any(is_apart)
+            || self.now.active.iter().all(|own| net.may_meet(step, *own))
+                && !self.given.learnt().iter().any(is_excluded)
     }
 
     fn ask_below(&mut self, atom: AtomId, bound: i128, when: When) -> bool {

@@ -197,12 +197,12 @@ impl Report<'_> {
         let mut at = state;
         while let Some(origin) = &self.graph.origins[at] {
             if was(origin.from) {
-                let apart = |t: &&TransitionId| {
+                let leads_elsewhere = |t: &&TransitionId| {
                     let arc = &self.net.arcs[**t];
                     !arc.targets.iter().any(|target| self.net.arcs[join].sources.contains(target))
                 };
                 let cleared = &origin.cycle.cleared;
-                return cleared.iter().find(apart).or(cleared.first()).copied();
+                return cleared.iter().find(leads_elsewhere).or(cleared.first()).copied();
             }
             at = origin.from;
         }
