@@ -1,7 +1,8 @@
 //! Which partial grafcets act on which, and the initial situation that follows from it.
 
+use super::Concurrency;
 use crate::list::{List, PushAll};
-use crate::model::{ForceOrder, Model, PartialId, StepId};
+use crate::model::{ForceId, ForceOrder, Model, PartialId, StepId};
 use crate::sorted::Set;
 
 /// The partial grafcets from top to bottom: what forces or encloses comes before what is forced or enclosed. Those on a
@@ -25,6 +26,49 @@ pub fn masters(model: &Model, partial: PartialId) -> Vec<PartialId> {
     let enclosing = model.partials[partial].enclosed_by.into_iter();
     let forcing = model.orders_on(partial).map(|force| force.step);
     enclosing.and(forcing).map(|step| model.steps[step].partial).list()
+}
+
+/// Whether one partial grafcet is another or acts on it through forcing orders and enclosing steps.
+pub(crate) fn acts_on(model: &Model, from: PartialId, to: PartialId) -> bool {
+    let mut seen = vec![to];
+    let mut next = 0;
+    while let Some(at) = seen.get(next).copied() {
+        if at == from {
+            return true;
+        }
+        for master in masters(model, at) {
+            if !seen.contains(&master) {
+                seen.push(master);
+            }
+        }
+        next += 1;
+    }
+    false
+}
+
+/// The nearest step around one that is not initial.
+pub(crate) fn idle_around(model: &Model, step: StepId) -> Option<StepId> {
+    let mut at = step;
+    while let Some(around) = model.partials[model.steps[at].partial].enclosed_by {
+        if !model.steps[around].initial {
+            return Some(around);
+        }
+        at = around;
+    }
+    None
+}
+
+/// A14: two orders that may force one partial grafcet at the same time.
+pub(crate) fn rival_orders(model: &Model, concurrency: &Concurrency) -> Vec<(ForceId, ForceId)> {
+    let mut found = Vec::new();
+    for (a, first) in model.forces.iter() {
+        for (b, second) in model.forces.iter().filter(|(b, second)| *b > a && first.target == second.target) {
+            if first.step == second.step || concurrency.together(first.step, second.step) {
+                found.push((a, b));
+            }
+        }
+    }
+    found
 }
 
 /// The initial situation: the initial steps, what an initial step forces (A11), and inside an enclosing step that is

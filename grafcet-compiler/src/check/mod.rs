@@ -13,9 +13,7 @@ mod modes;
 mod properties;
 mod race;
 mod reach;
-mod refuted;
 mod rivals;
-mod rulings;
 mod safety;
 mod set_reset;
 mod silent;
@@ -29,12 +27,11 @@ mod waits;
 pub use initial::initial_values;
 
 use crate::analysis::explore::{Exploration, Limits};
-use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Prover, Races};
+use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Prover, Races, Rulings, refuted};
 use crate::diagnostic::{Sink, rules};
 use crate::list::{List, PushAll};
 use crate::model::{Model, Name, Read, TransitionId, Tree};
 use crate::sorted::Set;
-use rulings::Rulings;
 
 /// The rules that need no more than the drawing itself; most hold on a chart with unresolved parts too.
 pub fn drawing(model: &Model, sink: &mut Sink) {

@@ -1,10 +1,10 @@
 //! `property_violated`, `property_undecided`, `not_home`: what the chart itself says that it does.
 
 use super::rivals;
-use super::rulings::Rulings;
+
 use super::vacuous;
 use crate::analysis::explore::{Answer, Doubt, Given, Limits, Path, Stay};
-use crate::analysis::{Claims, Facts, Prover, Question, Ruling, unlisted_of};
+use crate::analysis::{Claims, Facts, Prover, Question, Ruling, Rulings, unlisted_of};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::{List, PushAll};
 use crate::model::{Claim, How, LevelAttr, Model, Name, Property, Read, StepId, TransitionId, Tree, Ty};

@@ -6,30 +6,17 @@
 
 use crate::analysis::explore::{Activation, Exploration, Meeting, Parting};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::{List, PushAll};
-use crate::model::{Id, Model, StepId, TransitionId};
-use crate::sorted::{Map, Set};
+use crate::list::PushAll;
+use crate::model::{Model, StepId, TransitionId};
+use crate::sorted::Set;
 
 /// Returns the transitions by which two ways part that an error tells of.
 pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) -> Set<TransitionId> {
-    let mut first: Map<Parting, (StepId, Meeting, &Activation)> = Map::new();
-    for step in model.steps.ids() {
-        let Some(activation) = exploration.unsafe_step(step) else { continue };
-        let meeting = activation.meeting(model, step);
-        let parting = meeting.parting;
-        if parting == Parting::Source {
-            continue;
-        }
-        let known = first.get(&parting).map(|(.., known)| known.path.cycles.len());
-        if known.is_none_or(|known| activation.path.cycles.len() < known) {
-            first.insert(parting, (step, meeting, activation));
-        }
-    }
     let mut partings = Set::new();
-    for (parting, (step, meeting, activation)) in first {
+    for (step, meeting, activation) in exploration.meetings(model) {
         let errors = sink.errors();
         report(model, step, &meeting, activation, sink);
-        if let (true, Parting::At(parting)) = (sink.errors() > errors, parting) {
+        if let (true, Parting::At(parting)) = (sink.errors() > errors, meeting.parting) {
             partings.insert(parting);
         }
     }
@@ -40,8 +27,8 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
     let name = &model.steps[step].name;
     let way = activation.path.table(model);
     let by = &model.transitions[activation.by];
-    let starts = starts(model, meeting);
-    let mend = match (&starts[..], divergence(model, meeting)) {
+    let starts = meeting.initial_starts(model);
+    let mend = match (&starts[..], meeting.divergence(model)) {
         ([first, other, ..], _) => {
             let (first, other) = (&model.steps[*first].name, &model.steps[*other].name);
             format!(
@@ -77,23 +64,4 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
     notes.push_all(others.map(|name| (Mark::from(name), format!("the chart starts in `{name}`, too"))));
     let scopes = [&by.levels[..], &model.steps[step].levels, &model.partials[by.partial].levels, &model.levels];
     sink.rule_in(model.dialect, &rules::UNSAFE_STEP, &scopes, notes);
-}
-
-/// The initial steps from which the ways come, where the start of the chart has parted them.
-fn starts(model: &Model, meeting: &Meeting) -> Vec<StepId> {
-    if meeting.parting != Parting::Start {
-        return Vec::new();
-    }
-    meeting.starts.iter().filter(|start| model.steps[**start].initial).copied().list()
-}
-
-/// The step from which several transitions have cleared at once, where that has parted the ways.
-fn divergence(model: &Model, meeting: &Meeting) -> Option<StepId> {
-    let from = match meeting.parting {
-        Parting::At(parting) => &model.transitions[parting].targets,
-        Parting::Start => &meeting.starts,
-        Parting::Source => return None,
-    };
-    let [step] = from[..] else { return None };
-    (model.leaving[step.index()].len() > 1).then_some(step)
 }

@@ -2,7 +2,6 @@
 
 use crate::analysis::{Concurrency, hierarchy};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::List;
 use crate::model::{Force, ForceOrder, Model, PartialId};
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
@@ -17,7 +16,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 fn circles(model: &Model, sink: &mut Sink) {
     for force in model.forces.values() {
         let home = model.steps[force.step].partial;
-        if reaches(model, force.target, home) {
+        if hierarchy::acts_on(model, force.target, home) {
             let target = name(model, force.target);
             let message = if force.target == home {
                 format!("this order of a step of {target} forces {target} itself; a partial grafcet commands others")
@@ -31,24 +30,6 @@ fn circles(model: &Model, sink: &mut Sink) {
             sink.rule(&rules::FORCING_CIRCLE, &[], vec![(force.mark, message)]);
         }
     }
-}
-
-/// Whether `from` is `to` or acts on it through forcing orders and enclosing steps.
-fn reaches(model: &Model, from: PartialId, to: PartialId) -> bool {
-    let mut seen = vec![to];
-    let mut next = 0;
-    while let Some(at) = seen.get(next).copied() {
-        if at == from {
-            return true;
-        }
-        for master in hierarchy::masters(model, at) {
-            if !seen.contains(&master) {
-                seen.push(master);
-            }
-        }
-        next += 1;
-    }
-    false
 }
 
 /// A16: what sits in an enclosure is commanded by its enclosing step alone.
@@ -84,25 +65,19 @@ fn missing_links(model: &Model, sink: &mut Sink) {
 fn idle_initial_steps(model: &Model, sink: &mut Sink) {
     // Of an enclosure without any link more is said.
     let has_link = |partial: PartialId| model.partials[partial].steps.iter().any(|step| model.steps[*step].linked);
-    for step in model.steps.values().filter(|step| step.initial && has_link(step.partial)) {
-        let mut outer = model.partials[step.partial].enclosed_by;
-        while let Some(around) = outer.map(|id| &model.steps[id]) {
-            if !around.initial {
-                let (name, around) = (&step.name, &around.name);
-                let then = if step.linked {
-                    format!("is activated with `{around}` by its link alone")
-                } else {
-                    "begins nothing".to_owned()
-                };
-                let message = format!(
-                    "`{name}` is marked `initial`, but the step `{around}` around it is not, so `{name}` {then}; delete \
-                     `initial`, or mark `{around}` `initial`, too"
-                );
-                sink.rule(&rules::INITIAL_WITHOUT_EFFECT, &model.levels_of(step), vec![(Mark::from(name), message)]);
-                break;
-            }
-            outer = model.partials[around.partial].enclosed_by;
-        }
+    for (id, step) in model.steps.iter().filter(|(_, step)| step.initial && has_link(step.partial)) {
+        let Some(around) = hierarchy::idle_around(model, id) else { continue };
+        let (name, around) = (&step.name, &model.steps[around].name);
+        let then = if step.linked {
+            format!("is activated with `{around}` by its link alone")
+        } else {
+            "begins nothing".to_owned()
+        };
+        let message = format!(
+            "`{name}` is marked `initial`, but the step `{around}` around it is not, so `{name}` {then}; delete \
+             `initial`, or mark `{around}` `initial`, too"
+        );
+        sink.rule(&rules::INITIAL_WITHOUT_EFFECT, &model.levels_of(step), vec![(Mark::from(name), message)]);
     }
 }
 
@@ -121,27 +96,19 @@ fn missing_initial_steps(model: &Model, sink: &mut Sink) {
 
 /// A14: two orders that may force one partial grafcet at the same time.
 pub(super) fn two_masters(model: &Model, concurrency: &Concurrency, sink: &mut Sink) {
-    let forces: Vec<&Force> = model.forces.values().list();
-    for (i, first) in forces.iter().enumerate() {
-        for second in &forces[i + 1..] {
-            let together = first.step == second.step || concurrency.together(first.step, second.step);
-            if first.target != second.target || !together {
-                continue;
-            }
-            let note = |force: &Force, other: &Force| {
-                let (step, target) = (&model.steps[force.step].name, name(model, force.target));
-                let message = if force.step == other.step {
-                    format!("`{step}` forces {target} in two ways at once; keep one of the orders")
-                } else {
-                    let other = &model.steps[other.step].name;
-                    format!(
-                        "`{step}` can force {target} while `{other}` does; let only one of them be active at a time"
-                    )
-                };
-                (force.mark, message)
+    for (first, second) in hierarchy::rival_orders(model, concurrency) {
+        let (first, second) = (&model.forces[first], &model.forces[second]);
+        let note = |force: &Force, other: &Force| {
+            let (step, target) = (&model.steps[force.step].name, name(model, force.target));
+            let message = if force.step == other.step {
+                format!("`{step}` forces {target} in two ways at once; keep one of the orders")
+            } else {
+                let other = &model.steps[other.step].name;
+                format!("`{step}` can force {target} while `{other}` does; let only one of them be active at a time")
             };
-            sink.rule(&rules::TWO_MASTERS, &[], vec![note(first, second), note(second, first)]);
-        }
+            (force.mark, message)
+        };
+        sink.rule(&rules::TWO_MASTERS, &[], vec![note(first, second), note(second, first)]);
     }
 }
 

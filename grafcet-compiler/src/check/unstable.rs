@@ -1,9 +1,10 @@
 //! `unstable`, `possible_instability`: circles that turn without end in one cycle (A30).
 
-use super::refuted::{self, Asked};
-use crate::analysis::circles::{Circle, Circles};
+use crate::analysis::Concurrency;
+use crate::analysis::circles::Circle;
 use crate::analysis::explore::Exploration;
-use crate::analysis::{Concurrency, Logic};
+use crate::analysis::refuted::Asked;
+use crate::analysis::turning::{self, Leg};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::{List, PushAll};
 use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId, Tree};
@@ -17,24 +18,8 @@ pub(super) fn check(
     asked: Asked<'_, '_>,
     sink: &mut Sink,
 ) {
-    if exploration.settles() {
-        return;
-    }
-    let certain = match exploration.endless(model) {
-        Some(all) => {
-            let circle = |transitions| Circle { transitions, inputs: String::new() };
-            all.into_iter().map(circle).list()
-        }
-        None => {
-            let logic = Logic::within(model, concurrency, never);
-            Circles::new(model, concurrency, &logic).certain()
-        }
-    };
-    // A circle that turns whenever it is entered may never be.
-    if !certain.is_empty() && refuted::settles(model, asked) {
-        return;
-    }
-    for circle in &through_the_same(model, certain.clone(), &[]) {
+    let Some(certain) = turning::certain(model, (concurrency, exploration), never, asked) else { return };
+    for circle in &turning::by_legs(model, certain.clone(), &[]) {
         let message = format!(
             "the circle {} never comes to rest: once one of its transitions clears, it turns again and again in the same \
              cycle; let one of them wait for something else, e.g. for an edge: `rising(…)`",
@@ -46,10 +31,7 @@ pub(super) fn check(
     if !model.has_level_of(&rules::POSSIBLE_INSTABILITY) {
         return;
     }
-    // The many questions about single transitions are not at the expense of these.
-    let logic = Logic::within(model, concurrency, never);
-    let possible = Circles::new(model, concurrency, &logic).possible(&certain);
-    for circle in through_the_same(model, possible, &certain) {
+    for circle in turning::possible(model, concurrency, never, &certain) {
         let when = if circle.inputs.is_empty() { String::new() } else { format!(" with `{}`", circle.inputs) };
         let message = format!(
             "the circle {} turns without end in one cycle{when}; if the plant excludes that, say so: `assume never …;`, \
@@ -72,56 +54,17 @@ fn notes(model: &Model, circle: &Circle, message: &str) -> Vec<(Mark, String)> {
     transitions.into_iter().map(|id| (model.transitions[*id].mark, message.to_owned())).list()
 }
 
-/// Between which steps a transition leads.
-type Way<'m> = (&'m [StepId], &'m [StepId]);
-
-/// The ways of a circle, each once: transitions between the same steps are one way, whether they clear together or one in place of
-/// the other.
-fn ways<'m>(model: &'m Model, circle: &Circle) -> Vec<Way<'m>> {
-    let mut ways: Vec<Way<'m>> = Vec::new();
-    for id in &circle.transitions {
-        let transition = &model.transitions[*id];
-        let way = (&transition.sources[..], &transition.targets[..]);
-        if !ways.contains(&way) {
-            ways.push(way);
-        }
-    }
-    ways
-}
-
-/// The circles but those of `known` ways, all of the same ways as one.
-fn through_the_same(model: &Model, circles: Vec<Circle>, known: &[Circle]) -> Vec<Circle> {
-    let set = |circle: &Circle| ways(model, circle).into_iter().collect::<Set<Way<'_>>>();
-    let known: Vec<_> = known.iter().map(set).list();
-    let mut all: Vec<(Set<Way<'_>>, Circle)> = Vec::new();
-    for circle in circles {
-        let ways = set(&circle);
-        if known.contains(&ways) {
-            continue;
-        }
-        match all.iter_mut().find(|(other, _)| *other == ways) {
-            Some((_, same)) => {
-                let new = circle.transitions.into_iter().filter(|id| !same.transitions.contains(id));
-                let new: Vec<TransitionId> = new.list();
-                same.transitions.push_all(new);
-            }
-            None => all.push((ways, circle)),
-        }
-    }
-    all.into_iter().map(|(_, circle)| circle).list()
-}
-
 /// Of how many partial grafcets a message names the circles.
 const SHOWN: usize = 4;
 
 /// `` `A → B → A` ``, one for each partial grafcet: `` `A → B → A` with `X → Y → X` ``.
 fn text(model: &Model, circle: &Circle) -> String {
     let partials: Set<PartialId> = circle.transitions.iter().map(|id| model.transitions[*id].partial).collect();
-    let ways = ways(model, circle);
+    let legs = turning::legs(model, circle);
     let path = |partial: &PartialId| {
         let is_own = |step: &StepId| model.steps[*step].partial == *partial;
-        let own = ways.iter().filter(|(from, to)| from.iter().and(*to).any(is_own));
-        let own: Vec<&Way<'_>> = own.list();
+        let own = legs.iter().filter(|(from, to)| from.iter().and(*to).any(is_own));
+        let own: Vec<&Leg<'_>> = own.list();
         let mut parts: Vec<String> = own.iter().map(|(sources, _)| model.steps_text(sources)).list();
         parts.push_all(own.last().map(|(_, targets)| model.steps_text(targets)));
         format!("`{}`", parts.join(" → "))

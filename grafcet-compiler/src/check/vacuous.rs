@@ -1,8 +1,7 @@
 //! `vacuous_property`, `vacuous_assumption`: what holds only because nothing happens, and what nothing follows from.
 
-use super::rulings::Rulings;
 use crate::analysis::explore::Answer;
-use crate::analysis::{Claims, Logic, Question, Ruling};
+use crate::analysis::{Claims, Logic, Question, Ruling, Rulings};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{Claim, Expr, Model, Order, Property, Read};

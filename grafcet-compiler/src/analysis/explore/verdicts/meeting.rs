@@ -1,8 +1,9 @@
 //! Why a step is activated while it is active: where the two ways that meet in it have parted.
 
 use super::path::Activation;
+use crate::analysis::explore::Exploration;
 use crate::list::List;
-use crate::model::{Model, StepId, TransitionId};
+use crate::model::{Id, Model, StepId, TransitionId};
 use crate::sorted::{Map, Set};
 
 /// How two activations of a step come to meet.
@@ -25,6 +26,48 @@ pub enum Parting {
     Start,
     /// A source transition started one of them.
     Source,
+}
+
+impl Exploration {
+    /// The steps that can be activated while they are active: for each parting the one with the shortest way. What source transitions
+    /// start may meet itself.
+    pub(crate) fn meetings(&self, model: &Model) -> Vec<(StepId, Meeting, &Activation)> {
+        let mut first: Map<Parting, (StepId, Meeting, &Activation)> = Map::new();
+        for step in model.steps.ids() {
+            let Some(activation) = self.unsafe_step(step) else { continue };
+            let meeting = activation.meeting(model, step);
+            let parting = meeting.parting;
+            if parting == Parting::Source {
+                continue;
+            }
+            let known = first.get(&parting).map(|(.., known)| known.path.cycles.len());
+            if known.is_none_or(|known| activation.path.cycles.len() < known) {
+                first.insert(parting, (step, meeting, activation));
+            }
+        }
+        first.into_iter().map(|(_, found)| found).list()
+    }
+}
+
+impl Meeting {
+    /// The initial steps from which the ways come, where the start of the chart has parted them.
+    pub(crate) fn initial_starts(&self, model: &Model) -> Vec<StepId> {
+        if self.parting != Parting::Start {
+            return Vec::new();
+        }
+        self.starts.iter().filter(|start| model.steps[**start].initial).copied().list()
+    }
+
+    /// The step from which several transitions have cleared at once, where that has parted the ways.
+    pub(crate) fn divergence(&self, model: &Model) -> Option<StepId> {
+        let from = match self.parting {
+            Parting::At(parting) => &model.transitions[parting].targets,
+            Parting::Start => &self.starts,
+            Parting::Source => return None,
+        };
+        let [step] = from[..] else { return None };
+        (model.leaving[step.index()].len() > 1).then_some(step)
+    }
 }
 
 /// That a step became active, or that a transition cleared.

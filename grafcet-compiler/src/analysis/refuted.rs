@@ -1,18 +1,18 @@
 //! Alarms of a `grafcet` that need values: what the exploration does not follow from cycle to cycle, a prover may exclude.
 
-use crate::analysis::{Change, Facts, Meet, Prover, Question, Races, Ruling, Writer};
+use super::{Change, Facts, Meet, Prover, Question, Races, Ruling, Writer};
 use crate::list::List;
 use crate::model::{Dialect, Model, Name, Place, Read, Trigger, Ty};
 use crate::sorted::Set;
 
 /// Whoever is asked, and what it needs.
-pub(super) type Asked<'a, 'm> = Option<(&'a Prover, &'a Facts<'m>)>;
+pub(crate) type Asked<'a, 'm> = Option<(&'a Prover, &'a Facts<'m>)>;
 
 /// With more races than these nobody is asked: that would take too long, and a chart with so many has others to mend first.
 const MOST: usize = 8;
 
 /// The races of which it is not proved that they never happen.
-pub(super) fn left(model: &Model, races: &Races, mixed: &Set<Place>, asked: Asked<'_, '_>) -> Races {
+pub(crate) fn left(model: &Model, races: &Races, mixed: &Set<Place>, asked: Asked<'_, '_>) -> Races {
     let all = races.all.clone();
     let Some((prover, facts)) = asked.filter(|_| model.is_grafcet() && needs_values(model)) else {
         return Races { all };
@@ -30,15 +30,15 @@ pub(super) fn left(model: &Model, races: &Races, mixed: &Set<Place>, asked: Aske
         return Races { all };
     }
     let answers = prover(model, facts, &some);
-    let is_apart = |question: &Question| {
+    let never_meet = |question: &Question| {
         some.iter().zip(&answers).any(|(other, answer)| other == question && *answer == Ruling::Holds)
     };
-    let left = all.into_iter().zip(questions).filter(|(_, question)| !question.as_ref().is_some_and(is_apart));
+    let left = all.into_iter().zip(questions).filter(|(_, question)| !question.as_ref().is_some_and(never_meet));
     Races { all: left.map(|(meet, _)| meet).list() }
 }
 
 /// Whether it is proved that every search ends.
-pub(super) fn settles(model: &Model, asked: Asked<'_, '_>) -> bool {
+pub(crate) fn settles(model: &Model, asked: Asked<'_, '_>) -> bool {
     let Some((prover, facts)) = asked.filter(|_| needs_values(model)) else { return false };
     prover(model, facts, &[Question::Settles]) == [Ruling::Holds]
 }

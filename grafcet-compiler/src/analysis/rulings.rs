@@ -1,19 +1,19 @@
 //! What a prover says of what the exploration leaves open. It is asked once for a chart, as it looks at all of it.
 
-use crate::analysis::explore::Answer;
-use crate::analysis::{Claims, Facts, Prover, Question, Ruling};
+use super::explore::Answer;
+use super::{Claims, Facts, Prover, Question, Ruling};
 use crate::list::{List, PushAll};
 use crate::model::{Model, Property};
 
 /// The questions and their answers.
-pub(super) struct Rulings<'m> {
+pub(crate) struct Rulings<'m> {
     model: &'m Model,
     all: Vec<(Question, Ruling)>,
 }
 
 impl<'m> Rulings<'m> {
     /// None where there is no prover, or nothing to ask.
-    pub(super) fn of(model: &'m Model, claims: &Claims<'_>, prover: Option<&Prover>, facts: &Facts<'_>) -> Self {
+    pub(crate) fn of(model: &'m Model, claims: &Claims<'_>, prover: Option<&Prover>, facts: &Facts<'_>) -> Self {
         let questions = questions(model, claims);
         let asked = prover.filter(|_| !questions.is_empty());
         let rulings = asked.map(|prover| prover(model, facts, &questions)).unwrap_or_default();
@@ -21,16 +21,16 @@ impl<'m> Rulings<'m> {
     }
 
     /// Whether a property holds.
-    pub(super) fn about(&self, property: &Property) -> Option<&Ruling> {
+    pub(crate) fn about(&self, property: &Property) -> Option<&Ruling> {
         self.ruling(Question::Holds(number(self.model, property)?))
     }
 
     /// What a property is about never happens.
-    pub(super) fn never_happens(&self, property: &Property) -> bool {
+    pub(crate) fn never_happens(&self, property: &Property) -> bool {
         number(self.model, property).is_some_and(|number| self.is_so(Question::NeverHappens(number)))
     }
 
-    pub(super) fn is_so(&self, question: Question) -> bool {
+    pub(crate) fn is_so(&self, question: Question) -> bool {
         self.ruling(question) == Some(&Ruling::Holds)
     }
 
