@@ -33,6 +33,7 @@ mod together;
 pub(crate) mod turning;
 mod union;
 mod unlisted;
+mod usage;
 pub mod visible;
 
 pub(crate) use branches::{Branches, Overlap, Rivalry, Shadowed};
@@ -55,3 +56,4 @@ pub use stability::{Ends, Stability, is_constant_read};
 pub use together::Situations;
 pub use union::Union;
 pub(crate) use unlisted::{Unlisted, unlisted, unlisted_of};
+pub(crate) use usage::Usage;
