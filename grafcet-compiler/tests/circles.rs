@@ -2,7 +2,7 @@
 
 use grafcet_compiler::analysis::circles::{Circle, Circles};
 use grafcet_compiler::analysis::explore::{Exploration, Limits};
-use grafcet_compiler::analysis::{Concurrency, Logic};
+use grafcet_compiler::analysis::{Facts, Logic};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Id, Model};
 use grafcet_compiler::parse;
@@ -35,18 +35,18 @@ fn names(model: &Model, circles: &[Circle]) -> String {
 /// Asserts which circles certainly turn.
 fn certain(text: &str, expected: &str) {
     let model = model(text);
-    let concurrency = Concurrency::of(&model);
-    let logic = Logic::within(&model, &concurrency, &[]);
-    let found = Circles::new(&model, &concurrency, &logic).certain();
+    let facts = Facts::of(&model);
+    let logic = Logic::within(&model, &facts.concurrency, &[]);
+    let found = Circles::new(&model, &facts.concurrency, &logic, &facts.initial).certain();
     assert_eq!(names(&model, &found), expected, "{text}");
 }
 
 /// Asserts which circles may turn, and with which inputs.
 fn possible(text: &str, expected: &[&str]) {
     let model = model(text);
-    let concurrency = Concurrency::of(&model);
-    let logic = Logic::within(&model, &concurrency, &[]);
-    let circles = Circles::new(&model, &concurrency, &logic);
+    let facts = Facts::of(&model);
+    let logic = Logic::within(&model, &facts.concurrency, &[]);
+    let circles = Circles::new(&model, &facts.concurrency, &logic, &facts.initial);
     let mut found: Vec<String> = circles.possible(&circles.certain()).into_iter().map(|circle| circle.inputs).collect();
     found.sort();
     assert_eq!(found, expected, "{text}");
@@ -239,9 +239,9 @@ fn long_charts() {
     let mut model_text = steps(300);
     model_text.push_str(&ring("a"));
     let model = model(&model_text);
-    let concurrency = Concurrency::of(&model);
-    let logic = Logic::within(&model, &concurrency, &[]);
-    assert_eq!(Circles::new(&model, &concurrency, &logic).certain().len(), 1);
+    let facts = Facts::of(&model);
+    let logic = Logic::within(&model, &facts.concurrency, &[]);
+    assert_eq!(Circles::new(&model, &facts.concurrency, &logic, &facts.initial).certain().len(), 1);
 }
 
 /// A chart with one mark: the transitions that leave a step exclude each other.
@@ -377,10 +377,10 @@ fn verdicts_equal_those_of_all_searches() {
         let chart = OneMark::make(&mut random);
         let text = chart.text();
         let model = model(&text);
-        let concurrency = Concurrency::of(&model);
-        let logic = Logic::within(&model, &concurrency, &[]);
+        let facts = Facts::of(&model);
+        let logic = Logic::within(&model, &facts.concurrency, &[]);
         let expected = chart.certain();
-        let mut found: Vec<Vec<usize>> = Circles::new(&model, &concurrency, &logic)
+        let mut found: Vec<Vec<usize>> = Circles::new(&model, &facts.concurrency, &logic, &facts.initial)
             .certain()
             .into_iter()
             .map(|circle| {

@@ -3,16 +3,16 @@
 use super::circles::{Circle, Circles};
 use super::explore::Exploration;
 use super::refuted::{self, Asked};
-use super::{Concurrency, Logic};
+use super::{Facts, Logic};
 use crate::list::{List, PushAll};
-use crate::model::{Model, StepId, TransitionId, Tree};
+use crate::model::{Model, StepId, TransitionId};
 use crate::sorted::Set;
 
-/// Those that turn whenever they are entered; `None` where it is known that every search ends. `never` is what the plant excludes.
+/// Those that turn whenever they are entered; `None` where it is known that every search ends.
 pub(crate) fn certain(
     model: &Model,
-    (concurrency, exploration): (&Concurrency, &Exploration),
-    never: &[&Tree],
+    facts: &Facts<'_>,
+    exploration: &Exploration,
     asked: Asked<'_, '_>,
 ) -> Option<Vec<Circle>> {
     if exploration.settles() {
@@ -24,8 +24,8 @@ pub(crate) fn certain(
             all.into_iter().map(circle).list()
         }
         None => {
-            let logic = Logic::within(model, concurrency, never);
-            Circles::new(model, concurrency, &logic).certain()
+            let logic = Logic::within(model, facts.across(model), &facts.never);
+            Circles::new(model, facts.across(model), &logic, &facts.initial).certain()
         }
     };
     // A circle that turns whenever it is entered may never be.
@@ -33,10 +33,10 @@ pub(crate) fn certain(
 }
 
 /// Further ones, of other legs, that turn under some values.
-pub(crate) fn possible(model: &Model, concurrency: &Concurrency, never: &[&Tree], certain: &[Circle]) -> Vec<Circle> {
+pub(crate) fn possible(model: &Model, facts: &Facts<'_>, certain: &[Circle]) -> Vec<Circle> {
     // The many questions about single transitions are not at the expense of those about the certain ones.
-    let logic = Logic::within(model, concurrency, never);
-    let possible = Circles::new(model, concurrency, &logic).possible(certain);
+    let logic = Logic::within(model, facts.across(model), &facts.never);
+    let possible = Circles::new(model, facts.across(model), &logic, &facts.initial).possible(certain);
     by_legs(model, possible, certain)
 }
 

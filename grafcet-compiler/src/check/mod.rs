@@ -101,7 +101,7 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     }
     if model.is_grafcet() {
         structure::two_masters(model, &seen, sink);
-        unstable::check(model, (concurrency, exploration), never, asked, sink);
+        unstable::check(model, facts, exploration, asked, sink);
     }
 }
 

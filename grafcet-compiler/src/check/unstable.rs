@@ -1,24 +1,23 @@
 //! `unstable`, `possible_instability`: circles that turn without end in one cycle (A30).
 
-use crate::analysis::Concurrency;
+use crate::analysis::Facts;
 use crate::analysis::circles::Circle;
 use crate::analysis::explore::Exploration;
 use crate::analysis::refuted::Asked;
 use crate::analysis::turning::{self, Leg};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::{List, PushAll};
-use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId, Tree};
+use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId};
 use crate::sorted::Set;
 
-/// `never` is what the plant excludes.
 pub(super) fn check(
     model: &Model,
-    (concurrency, exploration): (&Concurrency, &Exploration),
-    never: &[&Tree],
+    facts: &Facts<'_>,
+    exploration: &Exploration,
     asked: Asked<'_, '_>,
     sink: &mut Sink,
 ) {
-    let Some(certain) = turning::certain(model, (concurrency, exploration), never, asked) else { return };
+    let Some(certain) = turning::certain(model, facts, exploration, asked) else { return };
     for circle in &turning::by_legs(model, certain.clone(), &[]) {
         let message = format!(
             "the circle {} never comes to rest: once one of its transitions clears, it turns again and again in the same \
@@ -31,7 +30,7 @@ pub(super) fn check(
     if !model.has_level_of(&rules::POSSIBLE_INSTABILITY) {
         return;
     }
-    for circle in turning::possible(model, concurrency, never, &certain) {
+    for circle in turning::possible(model, facts, &certain) {
         let when = if circle.inputs.is_empty() { String::new() } else { format!(" with `{}`", circle.inputs) };
         let message = format!(
             "the circle {} turns without end in one cycle{when}; if the plant excludes that, say so: `assume never …;`, \

@@ -16,7 +16,7 @@ use std::rc::Rc;
 
 use self::run::{Node, Outcome, Run};
 use self::view::View;
-use super::{Answer, Concurrency, Condition, Logic, combinational, hierarchy};
+use super::{Answer, Concurrency, Condition, Logic, combinational};
 use crate::list::{List, PushAll};
 use crate::model::{Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::{Map, Set};
@@ -41,6 +41,7 @@ pub struct Circles<'m> {
     model: &'m Model,
     concurrency: &'m Concurrency,
     logic: &'m Logic<'m>,
+    initial: &'m Set<StepId>,
     /// By transition, its condition, with what combinational variables stand for.
     trees: Vec<Tree>,
     /// By transition, its condition in the first evolution of a cycle.
@@ -58,9 +59,9 @@ pub struct Circles<'m> {
 }
 
 impl<'m> Circles<'m> {
-    /// For a `grafcet`; `logic` has to know the concurrency of the chart.
+    /// For a `grafcet`; `logic` has to know the concurrency of the chart, which begins in the `initial` situation.
     #[must_use]
-    pub fn new(model: &'m Model, concurrency: &'m Concurrency, logic: &'m Logic<'m>) -> Self {
+    pub fn new(model: &'m Model, concurrency: &'m Concurrency, logic: &'m Logic<'m>, initial: &'m Set<StepId>) -> Self {
         let tree = |transition: &Transition| {
             let tree = &transition.condition.tree;
             combinational::written_out(model, tree).unwrap_or_else(|| tree.clone())
@@ -71,7 +72,7 @@ impl<'m> Circles<'m> {
         let reachable = rest::reachable(model, |id: TransitionId| !logic.never(&conditions[id.index()]));
         let (written, unknown) = (view::written(model), Cell::new(0));
         let parallel = OnceCell::new();
-        Self { model, concurrency, logic, trees, conditions, always, reachable, written, parallel, unknown }
+        Self { model, concurrency, logic, initial, trees, conditions, always, reachable, written, parallel, unknown }
     }
 
     /// Circles that turn under every valuation by which they can be entered: once one of their transitions clears in a
@@ -232,8 +233,7 @@ impl<'m> Circles<'m> {
             let partial = &self.model.partials[self.model.steps[*step].partial];
             partial.enclosed_by.is_some() || !partial.forced_by.is_empty()
         };
-        let active: Set<StepId> =
-            hierarchy::initial_situation(self.model).into_iter().filter(|step| !commanded(step)).collect();
+        let active: Set<StepId> = self.initial.iter().copied().filter(|step| !commanded(step)).collect();
         let (just_entered, before) = (active.clone(), active.clone());
         Node { active, just_entered, before, goals: Vec::new(), parent: None, cleared: Vec::new() }
     }

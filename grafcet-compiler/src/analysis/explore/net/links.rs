@@ -11,8 +11,13 @@ use crate::analysis::explore::valuation::computed::Computed;
 use crate::analysis::explore::valuation::knowledge::{Knowledge, Known, Learnt};
 use crate::analysis::numbers::is_computed;
 use crate::list::{List, PushAll};
-use crate::model::{Arena, Binary, Model, Tree};
+use crate::model::{Arena, Binary, Model, Tree, ids};
 use crate::sorted::{Map, sort, sort_unstable};
+
+ids! {
+    /// Atoms that are about the same numbers.
+    pub(crate) GroupId;
+}
 
 /// How far a number lies above another, as an atom.
 #[derive(Debug)]
@@ -34,9 +39,9 @@ pub(crate) struct Operand {
 /// Which atoms are about the same numbers.
 #[derive(Debug, Default)]
 pub(crate) struct Links {
-    groups: Vec<Group>,
+    groups: Arena<GroupId, Group>,
     /// Per atom the group, where what is known of it says something about others.
-    group_of: Arena<AtomId, Option<usize>>,
+    group_of: Arena<AtomId, Option<GroupId>>,
     /// The two times or numbers of a difference in which a time has part, by atom.
     times: Map<AtomId, (AtomId, AtomId)>,
     /// Per atom whether it is computed of inputs and params, so that it is tried whether there are some.
@@ -71,7 +76,7 @@ pub(crate) enum Allowed {
 }
 
 /// The answers about groups in which something is computed.
-pub(crate) type Tries = BTreeMap<(usize, Learnt), Allowed>;
+pub(crate) type Tries = BTreeMap<(GroupId, Learnt), Allowed>;
 
 impl Links {
     /// `numbers` are the atoms that compare a number with constants, by number.
@@ -113,11 +118,10 @@ impl Links {
     }
 
     fn add(&mut self, group: Group) {
-        let number = self.groups.len();
-        for atom in group.atoms() {
+        let number = self.groups.push(group);
+        for atom in self.groups[number].atoms() {
             self.group_of[*atom] = Some(number);
         }
-        self.groups.push(group);
     }
 
     /// The atoms of which something may follow from what is known of this one; itself is among them.
@@ -132,7 +136,7 @@ impl Links {
 
     /// Whether anything is computed.
     pub(crate) fn any_computed(&self) -> bool {
-        self.groups.iter().any(|group| matches!(group, Group::Computed(_)))
+        self.groups.values().any(|group| matches!(group, Group::Computed(_)))
     }
 
     /// Whether there is arithmetic in an atom.
@@ -150,7 +154,7 @@ impl Links {
         if self.groups.is_empty() {
             return true;
         }
-        let mut asked: Vec<usize> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).list();
+        let mut asked: Vec<GroupId> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).list();
         sort_unstable(&mut asked);
         asked.dedup();
         for number in asked {
