@@ -56,4 +56,4 @@ pub use stability::{Ends, Stability, is_constant_read};
 pub use together::Situations;
 pub use union::Union;
 pub(crate) use unlisted::{Unlisted, unlisted, unlisted_of};
-pub(crate) use usage::Usage;
+pub(crate) use usage::{Usage, remembered};

@@ -1,7 +1,9 @@
-//! What takes part in a chart.
+//! What takes part in a chart, and what of it outlives a cycle.
 
 use crate::list::List;
-use crate::model::{ActionId, Code, Effect, Expr, Model, Name, Place, Read, Statement, TimeRef, Tree};
+use crate::model::{
+    ActionId, Association, Code, Effect, Expr, Model, Name, OutputId, Place, Qualifier, Read, Statement, TimeRef, Tree,
+};
 use crate::sorted::Set;
 
 /// What the chart reads and writes.
@@ -121,4 +123,29 @@ fn reads_of(tree: &Tree) -> Vec<Read> {
     let mut reads = Vec::new();
     tree.each_read(&mut |read| reads.push(read));
     reads
+}
+
+/// The outputs that keep their value from cycle to cycle: an action stores it, or, in an `sfc`, an expression reads what it was in the cycle before.
+pub(crate) fn remembered(model: &Model) -> Set<OutputId> {
+    let output = |place: &Place| if let Place::Output(id) = place { Some(*id) } else { None };
+    let mut found = Set::new();
+    let lasts = |association: &&Association| match association.effect {
+        // What is controlled may be an alias of `bool`.
+        Effect::Control(_) => association.qualifier == Qualifier::S,
+        Effect::Assign(..) => association.qualifier != Qualifier::N,
+        Effect::Call(..) | Effect::Block(_) => true,
+    };
+    for association in model.associations.values().filter(lasts) {
+        found.extend(association.effect.writes().iter().filter_map(output));
+    }
+    for effect in model.transitions.values().flat(|transition| &transition.clearing) {
+        found.extend(effect.writes().iter().filter_map(output));
+    }
+    // In a `grafcet` only stored outputs can be read (A22).
+    for read in model.expressions().into_iter().flatten() {
+        if let (Read::Name(Name::Output(id)), false) = (read, model.is_grafcet()) {
+            found.insert(*id);
+        }
+    }
+    found
 }

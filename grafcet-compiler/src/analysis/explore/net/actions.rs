@@ -63,7 +63,7 @@ pub(crate) struct Timed {
 }
 
 /// The step whose action writes, or the transition on whose clearing is written.
-pub(crate) type Writer = (Option<StepId>, Option<TransitionId>);
+pub(crate) type WrittenBy = (Option<StepId>, Option<TransitionId>);
 
 /// All actions of a chart that write what is followed.
 #[derive(Default)]
@@ -107,7 +107,7 @@ impl Actions {
     }
 
     /// Which slots are written by an action of which step, or on the clearing of which transition.
-    pub(crate) fn writers(&self) -> Vec<(SlotId, Writer)> {
+    pub(crate) fn writers(&self) -> Vec<(SlotId, WrittenBy)> {
         let mut writers = Vec::new();
         for action in self.stored.values() {
             slots_of(&action.program, &mut |slot| writers.push((slot, (action.step, None))));

@@ -26,10 +26,10 @@ pub(crate) fn away_from(
     if slice.is_none() && was_all {
         return None;
     }
-    let question = Question { model, limits, facts };
-    let net = question.net(slice.as_ref(), &[]);
+    let alone = Alone { model, limits, facts };
+    let net = alone.net(slice.as_ref(), &[]);
     let detail = if home::is_plain(&net) { Detail::Rough } else { Detail::Thorough };
-    let (graph, _) = question.explore(&net, detail);
+    let (graph, _) = alone.explore(&net, detail);
     (!cuts(&graph, slice.as_ref())).then(|| home::away(&net, &graph, home, others))
 }
 
@@ -46,9 +46,9 @@ pub(crate) fn watched(
     if slice.is_none() && was_alone {
         return None;
     }
-    let question = Question { model, limits, facts };
-    let net = question.net(slice.as_ref(), &[tree]);
-    let (graph, sooner) = question.explore(&net, Detail::Rough);
+    let alone = Alone { model, limits, facts };
+    let net = alone.net(slice.as_ref(), &[tree]);
+    let (graph, sooner) = alone.explore(&net, Detail::Rough);
     if cuts(&graph, slice.as_ref()) {
         return None;
     }
@@ -56,7 +56,7 @@ pub(crate) fn watched(
     if net.clocks.is_empty() || answer == Some(Answer::Never) {
         return answer;
     }
-    let (graph, sooner) = question.explore(&net, Detail::Timed);
+    let (graph, sooner) = alone.explore(&net, Detail::Timed);
     answers(&net, sooner.as_ref(), &graph).pop()
 }
 
@@ -65,13 +65,13 @@ fn cuts(graph: &Graph, slice: Option<&Slice>) -> bool {
     slice.is_some() && graph.unstable
 }
 
-struct Question<'a> {
+struct Alone<'a> {
     model: &'a Model,
     limits: &'a Limits,
     facts: &'a Facts<'a>,
 }
 
-impl Question<'_> {
+impl Alone<'_> {
     fn net(&self, slice: Option<&Slice>, watched: &[&Tree]) -> Net {
         slice.map_or_else(
             || Net::of(self.model, self.facts, watched, &self.facts.never),

@@ -13,7 +13,7 @@ use super::leaf::Leaf;
 use super::settles::is_followed;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::semantics;
-use crate::analysis::explore::semantics::turn::Turn as Turning;
+use crate::analysis::explore::semantics::turn::Turn;
 use crate::analysis::{Union, circles};
 use crate::list::List;
 use crate::model::{Arena, Id, Model, StepId, TransitionId};
@@ -114,7 +114,7 @@ struct Ring {
 }
 
 /// A search that turns for ever.
-struct Turn {
+struct EndlessSearch {
     from: Start,
     /// What cleared in its first evolution.
     entries: Vec<TransitionId>,
@@ -128,8 +128,8 @@ struct Found<'m> {
     net: &'m Net,
     rings: Vec<Ring>,
     /// The circles of a turn.
-    known: Vec<(Rc<Turning>, Vec<usize>)>,
-    turns: Vec<Turn>,
+    known: Vec<(Rc<Turn>, Vec<usize>)>,
+    turns: Vec<EndlessSearch>,
     /// By transition, whether it begins a search that comes to rest; the same of the first cycle.
     comes_to_rest: Arena<TransitionId, bool>,
     rests_at_first: Arena<TransitionId, bool>,
@@ -172,11 +172,11 @@ impl<'m> Found<'m> {
         let rings = self.rings_of(leaf.done.turn?);
         let entries = leaf.done.cleared[..leaf.done.at_first].to_vec();
         let granted = !leaf.cycle.granted.is_empty();
-        self.turns.push(Turn { from, entries, rings, granted });
+        self.turns.push(EndlessSearch { from, entries, rings, granted });
         Some(())
     }
 
-    fn rings_of(&mut self, turn: Rc<Turning>) -> Vec<usize> {
+    fn rings_of(&mut self, turn: Rc<Turn>) -> Vec<usize> {
         if let Some((_, rings)) = self.known.iter().rev().find(|(known, _)| Rc::ptr_eq(known, &turn)) {
             return rings.clone();
         }
@@ -268,7 +268,7 @@ impl<'m> Found<'m> {
     }
 
     /// Whether what begins this search always ends in the circle.
-    fn is_entered(&self, turn: &Turn, ring: usize) -> bool {
+    fn is_entered(&self, turn: &EndlessSearch, ring: usize) -> bool {
         let first = turn.from.first;
         let comes_to_rest = if first { &self.rests_at_first } else { &self.comes_to_rest };
         first && !self.first_rests
@@ -289,7 +289,7 @@ impl<'m> Found<'m> {
     fn always_turns(&self, entry: TransitionId, ring: usize, first: bool) -> bool {
         let own = &self.rings[ring].steps;
         let touches = |other: &usize| *other == ring || !self.rings[*other].steps.is_disjoint(own);
-        let begun = |turn: &&Turn| turn.from.first == first && turn.entries.contains(&entry);
+        let begun = |turn: &&EndlessSearch| turn.from.first == first && turn.entries.contains(&entry);
         self.turns.iter().filter(begun).all(|turn| turn.rings.iter().any(touches))
     }
 
