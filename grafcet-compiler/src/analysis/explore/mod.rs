@@ -136,14 +136,10 @@ impl Exploration {
         let end = settles || end();
         let mut covered = Arena::filled(net.has_arcs.len(), whole.complete);
         net.structure = (!whole.complete).then(structure);
-        let mut pieces = Vec::new();
-        if !whole.complete && several {
-            for unit in net.has_arcs.ids().filter(|unit| net.has_arcs[*unit]) {
-                let search = Search::new(&net, Some(unit), end, budget.left(), &mut seen).cut_anywhere(!end);
-                let graph = budget.run(search);
-                covered[unit] = graph.complete;
-                pieces.push(graph);
-            }
+        let alone = !whole.complete && several;
+        let pieces = if alone { explore_pieces(&net, end, &mut budget, &mut seen) } else { Vec::new() };
+        for (unit, graph) in pieces.iter().filter_map(|graph| Some((graph.unit?, graph))) {
+            covered[unit] = graph.complete;
         }
         let ways =
             (!whole.complete && !is_told).then(|| some_ways::go(&net, limits.work / 3 + length(&net), &mut seen));
@@ -330,6 +326,16 @@ impl Exploration {
     pub fn watched(&self, index: usize) -> Answer {
         self.watched[index].clone()
     }
+}
+
+/// Each piece that has transitions, by itself.
+fn explore_pieces(net: &Net, end: bool, budget: &mut Budget, seen: &mut Seen) -> Vec<Graph> {
+    let mut pieces = Vec::new();
+    for unit in net.has_arcs.ids().filter(|unit| net.has_arcs[*unit]) {
+        let search = Search::new(net, Some(unit), end, budget.left(), seen).cut_anywhere(!end);
+        pieces.push(budget.run(search));
+    }
+    pieces
 }
 
 /// Per watched expression whether it can hold where no time falls back.
