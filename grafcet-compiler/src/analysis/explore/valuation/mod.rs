@@ -99,7 +99,7 @@ pub(crate) struct Valuation<'n> {
     pub(crate) redundant: bool,
     /// There are no numbers that compare as was decided.
     pub(crate) impossible: bool,
-    /// What this run takes for granted of atoms that are not followed; see [`super::unfollowed`].
+    /// What this run takes for granted of atoms that are not followed; see [`crate::analysis::explore::net::unfollowed`].
     pub(crate) granted: Learnt,
     /// Some of that was asked for when actions might have changed it already.
     pub(crate) late: bool,
