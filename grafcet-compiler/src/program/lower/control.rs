@@ -14,7 +14,7 @@ use super::places::plain;
 use super::view::Moment;
 use crate::list::{List, PushAll};
 use crate::model::{
-    ActionId, Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, StepId, TimeRef, Trigger,
+    ActionId, Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, TimeRef, Trigger,
 };
 use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
@@ -118,31 +118,6 @@ impl<'m> Lower<'_, 'm> {
             flags.push(flag);
         }
         (flags, body)
-    }
-
-    /// Whether a step has been entered. Of several regions it is said twice, as one that has been entered is active: so it is a matter of that state alone.
-    fn has_entered(&self, step: StepId) -> Expr<'m> {
-        let entered = Expr::Place(self.entered[step.index()]);
-        if self.state.len() < 2 {
-            return entered;
-        }
-        if self.reentered[step.index()] || self.initial.contains(&step) {
-            return all(vec![self.is(step), entered]);
-        }
-        all(vec![not(self.was(step)), self.is(step)])
-    }
-
-    /// Whether a step has been left; of several regions by its states alone, where these tell.
-    fn has_left(&self, step: StepId) -> Expr<'m> {
-        let left = Expr::Place(self.left[step.index()]);
-        if self.state.len() < 2 {
-            return left;
-        }
-        if self.reentered[step.index()] {
-            all(vec![self.was(step), left])
-        } else {
-            all(vec![self.was(step), not(self.is(step))])
-        }
     }
 
     /// The function block of one target.

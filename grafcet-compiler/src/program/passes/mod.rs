@@ -66,6 +66,7 @@ mod moved;
 mod nested;
 mod next;
 mod once;
+mod order;
 mod outputs;
 mod parts;
 mod passed;

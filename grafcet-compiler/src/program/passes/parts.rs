@@ -8,17 +8,17 @@
 //!                                                if clears.B1→B2: state.B1 = B2
 //! ```
 //!
-//! What reads stays after what it reads, what writes after what reads or writes the same, what somebody outside sees in its order. Truths
-//! that are gathered (`any = any || …`) may be gathered in any order.
+//! In which order they may stand says `order`.
 
 use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Role, Statement};
 use super::belonging::Groups;
 use super::excluding::{Excluding, Situations};
+use super::order::Order;
 use super::sparse::deciding;
 use super::uses::{Effects, each_read, each_written, is_pure, mentions};
 use crate::list::List;
-use crate::sorted::{Map, Set};
+use crate::sorted::Set;
 
 /// Some statements, and the regions they concern.
 #[derive(Clone)]
@@ -232,160 +232,4 @@ fn dependent(places: &[PlaceInfo<'_>], effects: &[Effects], regions: &[Set<usize
         }
     }
     groups
-}
-
-/// What has to stand before what.
-struct Order {
-    /// By statement: those that come after it, and how many come before it.
-    next: Vec<Vec<usize>>,
-    open: Vec<usize>,
-}
-
-impl Order {
-    fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>], effects: &[Effects], excluding: &Excluding<'_>) -> Self {
-        let count = list.len();
-        let mut order = Self { next: vec![Vec::new(); count], open: vec![0; count] };
-        // By place: who wrote it last, who has added to it, changed it in some states, and who has read it since.
-        let mut written: Vec<Option<usize>> = vec![None; places.len()];
-        let mut gathered: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
-        let mut changed: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
-        let mut read: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
-        // The same of who tells somebody outside something.
-        let (mut told, mut bound, mut left) = (None, Vec::new(), None);
-        for (at, (statement, effects)) in list.iter().zip(effects).enumerate() {
-            let adds = gathers(statement);
-            let mut before = Set::new();
-            before.extend(left);
-            let is_bound = excluding.is_bound(at);
-            let meets = |other: &usize| !excluding.excludes(*other, at);
-            for place in effects.reads.iter().filter(|place| Some(**place) != adds) {
-                if is_bound && effects.writes.contains(place) {
-                    continue;
-                }
-                before.extend(written[place.0]);
-                before.extend(gathered[place.0].iter().copied());
-                before.extend(changed[place.0].iter().copied());
-                read[place.0].push(at);
-            }
-            for place in &*effects.writes {
-                before.extend(written[place.0]);
-                before.extend(read[place.0].iter().copied());
-                if Some(*place) == adds {
-                    before.extend(changed[place.0].iter().copied());
-                    gathered[place.0].push(at);
-                } else if is_bound {
-                    before.extend(gathered[place.0].iter().copied());
-                    before.extend(changed[place.0].iter().copied().filter(meets));
-                    changed[place.0].push(at);
-                } else {
-                    before.extend(gathered[place.0].drain(..));
-                    before.extend(changed[place.0].drain(..));
-                    read[place.0].clear();
-                    written[place.0] = Some(at);
-                }
-            }
-            if effects.outside && is_bound {
-                before.extend(told);
-                before.extend(bound.iter().copied().filter(meets));
-                bound.push(at);
-            } else if effects.outside {
-                before.extend(bound.drain(..));
-                before.extend(told.replace(at));
-            }
-            if effects.leaves {
-                before.extend(0..at);
-                left = Some(at);
-            }
-            before.remove(&at);
-            for earlier in &*before {
-                order.next[*earlier].push(at);
-                order.open[at] += 1;
-            }
-        }
-        order
-    }
-
-    /// In an order in which those of one key stand together as far as that is possible.
-    fn scheduled(mut self, keys: &[Option<usize>]) -> Vec<usize> {
-        let mut order = Vec::with_capacity(keys.len());
-        let (mut ready, mut left): (Ready, Map<Option<usize>, usize>) = (Ready::default(), Map::new());
-        for (at, key) in keys.iter().enumerate() {
-            *left.or_default(*key) += 1;
-            if self.open[at] == 0 {
-                ready.insert(at, *key);
-            }
-        }
-        let mut current = None;
-        while let Some(first) = ready.all.first().copied() {
-            let at = match ready.first_of(current) {
-                Some(at) => at,
-                None => ready.first_of(None).or_else(|| self.whole(&ready, keys, &left)).unwrap_or(first),
-            };
-            current = keys[at];
-            ready.remove(at, current);
-            *left.or_default(current) -= 1;
-            order.push(at);
-            for next in std::mem::take(&mut self.next[at]) {
-                self.open[next] -= 1;
-                if self.open[next] == 0 {
-                    ready.insert(next, keys[next]);
-                }
-            }
-        }
-        order
-    }
-
-    /// The first statement of a key of which nothing waits for another key. `left` tells how many statements of a key are left.
-    fn whole(&mut self, ready: &Ready, keys: &[Option<usize>], left: &Map<Option<usize>, usize>) -> Option<usize> {
-        let mut tried: Set<Option<usize>> = Set::new();
-        for at in &*ready.all {
-            let key = keys[*at];
-            if !tried.insert(key) {
-                continue;
-            }
-            let mut stack = ready.by_key.get(&key).map(|all| all.to_vec()).unwrap_or_default();
-            // What does not wait any more, to be taken back.
-            let (mut reached, mut passed) = (0, Vec::new());
-            while let Some(one) = stack.pop() {
-                reached += 1;
-                for next in &self.next[one] {
-                    self.open[*next] -= 1;
-                    passed.push(*next);
-                    if self.open[*next] == 0 && keys[*next] == key {
-                        stack.push(*next);
-                    }
-                }
-            }
-            for next in passed {
-                self.open[next] += 1;
-            }
-            if left.get(&key) == Some(&reached) {
-                return Some(*at);
-            }
-        }
-        None
-    }
-}
-
-/// The statements that wait for none, all of them and by key.
-#[derive(Default)]
-struct Ready {
-    all: Set<usize>,
-    by_key: Map<Option<usize>, Set<usize>>,
-}
-
-impl Ready {
-    fn insert(&mut self, at: usize, key: Option<usize>) {
-        self.all.insert(at);
-        self.by_key.or_default(key).insert(at);
-    }
-
-    fn remove(&mut self, at: usize, key: Option<usize>) {
-        self.all.remove(&at);
-        self.by_key.or_default(key).remove(&at);
-    }
-
-    fn first_of(&self, key: Option<usize>) -> Option<usize> {
-        self.by_key.get(&key)?.first().copied()
-    }
 }

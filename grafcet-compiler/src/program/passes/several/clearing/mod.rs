@@ -16,6 +16,7 @@
 //! A condition asks for the state before: of a copy, where a transition in front of it may have written what it asks for. What several write, the one
 //! writes last that did so before. Where somebody asks later on what has cleared, each transition says so (`told`).
 
+mod guards;
 mod order;
 mod sorted;
 mod told;

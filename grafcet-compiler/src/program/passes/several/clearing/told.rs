@@ -13,7 +13,8 @@
 
 use super::super::super::uses::each_asked;
 use super::super::Several;
-use super::sorted::{Kind, Truths};
+use super::guards::Truths;
+use super::sorted::Kind;
 use super::{Clearing, Told};
 use crate::model::StepId;
 use crate::program::{PlaceId, Statement, Type};
