@@ -18,6 +18,7 @@ use proc_macro2::TokenStream;
 
 mod delays;
 mod forks;
+mod growth;
 mod needs;
 mod passes;
 mod regions;

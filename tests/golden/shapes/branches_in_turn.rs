@@ -1,0 +1,491 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+enum __BranchesInTurnRegion0 {
+    Idle,
+    Fill,
+    Filled,
+    Mix,
+    Rest,
+    Rested,
+    Rinse,
+    Dry,
+    Dried,
+    Open,
+    Shake,
+    Shaken,
+    Close,
+    NONE,
+    INIT,
+}
+enum __BranchesInTurnRegion1 {
+    Warm,
+    Warmed,
+    Drain,
+    Drained,
+    Cool,
+    Cooled,
+    Blow,
+    Blown,
+    NONE,
+}
+impl BranchesInTurn {
+    /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(
+        &mut self,
+        #[cfg(not(doc))]
+        inputs_: &BranchesInTurnInputs,
+        #[cfg(doc)]
+        inputs: &BranchesInTurnInputs,
+        #[cfg(not(doc))]
+        now_: impl core::convert::Into<
+            Ticks,
+        >,
+        #[cfg(doc)]
+        now: impl core::convert::Into<Ticks>,
+    ) -> BranchesInTurnOutputs {
+        let now_: Ticks = core::convert::Into::into(
+            now_,
+        );
+        let mut outputs_ = BranchesInTurnOutputs {
+            valve: false,
+            heater: false,
+            pump: false,
+            lamp: false,
+            batches: 0,
+        };
+        self.reading = now_;
+        fence_beyond_armv6m();
+        match self.region_0 {
+            __BranchesInTurnRegion0::INIT => {
+                self.region_0 = __BranchesInTurnRegion0::Idle;
+                self.since_warm = self.reading;
+            }
+            _ => {
+                let last_batches_: core::primitive::u8 = self
+                    .batches;
+                let mut any_120__: bool = false;
+                match self.region_0 {
+                    __BranchesInTurnRegion0::Idle => {
+                        if inputs_.start {
+                            self.region_0 = __BranchesInTurnRegion0::Fill;
+                            self.region_1 = __BranchesInTurnRegion1::Warm;
+                            self.since_warm = self.reading;
+                            outputs_.lamp = self.s_ff_lamp;
+                            outputs_.valve = true;
+                            outputs_.heater = true;
+                            self.passed_warm = false;
+                            any_120__ = true;
+                        } else {
+                            self.s_ff_lamp = false;
+                        }
+                    }
+                    __BranchesInTurnRegion0::Mix => {
+                        if inputs_.stop {
+                            self.region_0 = __BranchesInTurnRegion0::Idle;
+                            self.s_ff_lamp = false;
+                            any_120__ = true;
+                        } else {
+                            if inputs_.start {
+                                self.region_0 = __BranchesInTurnRegion0::Rest;
+                                self.region_1 = __BranchesInTurnRegion1::Drain;
+                                self.since_idle = self.reading;
+                                self.since_warm = self.reading;
+                                outputs_.lamp = self.s_ff_lamp;
+                                outputs_.pump = true;
+                                self.passed_idle = false;
+                                any_120__ = true;
+                            } else {
+                                outputs_.lamp = self.s_ff_lamp;
+                            }
+                        }
+                    }
+                    __BranchesInTurnRegion0::Rinse => {
+                        if inputs_.stop {
+                            self.region_0 = __BranchesInTurnRegion0::Idle;
+                            self.s_ff_lamp = false;
+                            any_120__ = true;
+                        } else {
+                            if inputs_.full {
+                                self.region_0 = __BranchesInTurnRegion0::Dry;
+                                self.region_1 = __BranchesInTurnRegion1::Cool;
+                                self.since_warm = self.reading;
+                                self.s_ff_lamp = true;
+                                outputs_.lamp = true;
+                                outputs_.heater = true;
+                                self.passed_warm = false;
+                                any_120__ = true;
+                            } else {
+                                outputs_.lamp = self.s_ff_lamp;
+                                outputs_.valve = true;
+                            }
+                        }
+                    }
+                    __BranchesInTurnRegion0::Open => {
+                        if inputs_.stop {
+                            self.region_0 = __BranchesInTurnRegion0::Idle;
+                            self.s_ff_lamp = false;
+                            any_120__ = true;
+                        } else {
+                            if inputs_.start {
+                                self.region_0 = __BranchesInTurnRegion0::Shake;
+                                self.region_1 = __BranchesInTurnRegion1::Blow;
+                                self.since_warm = self.reading;
+                                outputs_.lamp = self.s_ff_lamp;
+                                outputs_.pump = true;
+                                any_120__ = true;
+                            } else {
+                                outputs_.lamp = true;
+                            }
+                        }
+                    }
+                    __BranchesInTurnRegion0::Close => {
+                        if inputs_.stop {
+                            self.region_0 = __BranchesInTurnRegion0::Idle;
+                            self.s_ff_lamp = false;
+                            any_120__ = true;
+                        } else {
+                            if !inputs_.start {
+                                self.region_0 = __BranchesInTurnRegion0::Idle;
+                                self.s_ff_lamp = false;
+                                any_120__ = true;
+                            } else {
+                                outputs_.lamp = self.s_ff_lamp;
+                            }
+                        }
+                    }
+                    _ => {
+                        let mut any_118__: bool = false;
+                        any_118__ = any_118__ || inputs_.stop;
+                        let was_state_idle_: __BranchesInTurnRegion0 = self.region_0;
+                        let was_state_warm_: __BranchesInTurnRegion1 = self.region_1;
+                        let mut any_119__: bool = false;
+                        any_120__ = false;
+                        match self.region_0 {
+                            __BranchesInTurnRegion0::Fill => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_0 = __BranchesInTurnRegion0::NONE;
+                                } else {
+                                    if inputs_.full {
+                                        any_118__ = true;
+                                        any_120__ = true;
+                                        self.region_0 = __BranchesInTurnRegion0::Filled;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion0::Filled => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_0 = __BranchesInTurnRegion0::NONE;
+                                } else {
+                                    if self.region_1 == __BranchesInTurnRegion1::Warmed {
+                                        any_118__ = true;
+                                        any_120__ = true;
+                                        self.region_1 = __BranchesInTurnRegion1::NONE;
+                                        self.region_0 = __BranchesInTurnRegion0::Mix;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion0::Rest => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_0 = __BranchesInTurnRegion0::NONE;
+                                } else {
+                                    if self.reading.since(self.since_idle)
+                                        >= Ticks::new(9u32)
+                                    {
+                                        any_118__ = true;
+                                        any_120__ = true;
+                                        self.region_0 = __BranchesInTurnRegion0::Rested;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion0::Rested => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_0 = __BranchesInTurnRegion0::NONE;
+                                } else {
+                                    if self.region_1 == __BranchesInTurnRegion1::Drained
+                                        && inputs_.start
+                                    {
+                                        any_118__ = true;
+                                        any_120__ = true;
+                                        self.region_1 = __BranchesInTurnRegion1::NONE;
+                                        self.region_0 = __BranchesInTurnRegion0::Rinse;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion0::Dry => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_0 = __BranchesInTurnRegion0::NONE;
+                                } else {
+                                    if inputs_.warm {
+                                        any_118__ = true;
+                                        any_120__ = true;
+                                        self.region_0 = __BranchesInTurnRegion0::Dried;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion0::Dried => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_0 = __BranchesInTurnRegion0::NONE;
+                                } else {
+                                    if self.region_1 == __BranchesInTurnRegion1::Cooled {
+                                        any_118__ = true;
+                                        any_120__ = true;
+                                        self.region_1 = __BranchesInTurnRegion1::NONE;
+                                        self.region_0 = __BranchesInTurnRegion0::Open;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion0::Shake => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_0 = __BranchesInTurnRegion0::NONE;
+                                } else {
+                                    if inputs_.full {
+                                        any_118__ = true;
+                                        any_120__ = true;
+                                        self.region_0 = __BranchesInTurnRegion0::Shaken;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion0::Shaken => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_0 = __BranchesInTurnRegion0::NONE;
+                                } else {
+                                    if self.region_1 == __BranchesInTurnRegion1::Blown
+                                        && inputs_.start
+                                    {
+                                        any_118__ = true;
+                                        any_120__ = true;
+                                        self.region_1 = __BranchesInTurnRegion1::NONE;
+                                        self.region_0 = __BranchesInTurnRegion0::Close;
+                                    }
+                                }
+                            }
+                            _ => {}
+                        }
+                        if inputs_.stop {
+                            self.region_0 = __BranchesInTurnRegion0::Idle;
+                        }
+                        match was_state_warm_ {
+                            __BranchesInTurnRegion1::Warm => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_1 = __BranchesInTurnRegion1::NONE;
+                                } else {
+                                    if inputs_.warm
+                                        && self.reading.since(self.since_warm)
+                                            >= Ticks::new(5u32)
+                                    {
+                                        any_119__ = true;
+                                        any_120__ = true;
+                                        self.region_1 = __BranchesInTurnRegion1::Warmed;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion1::Warmed
+                            | __BranchesInTurnRegion1::Drained
+                            | __BranchesInTurnRegion1::Cooled
+                            | __BranchesInTurnRegion1::Blown => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_1 = __BranchesInTurnRegion1::NONE;
+                                }
+                            }
+                            __BranchesInTurnRegion1::Drain => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_1 = __BranchesInTurnRegion1::NONE;
+                                } else {
+                                    if inputs_.empty {
+                                        any_119__ = true;
+                                        any_120__ = true;
+                                        self.region_1 = __BranchesInTurnRegion1::Drained;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion1::Cool => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_1 = __BranchesInTurnRegion1::NONE;
+                                } else {
+                                    if self.reading.since(self.since_warm)
+                                        >= Ticks::new(7u32)
+                                    {
+                                        any_119__ = true;
+                                        any_120__ = true;
+                                        self.region_1 = __BranchesInTurnRegion1::Cooled;
+                                    }
+                                }
+                            }
+                            __BranchesInTurnRegion1::Blow => {
+                                if inputs_.stop {
+                                    any_120__ = true;
+                                    self.region_1 = __BranchesInTurnRegion1::NONE;
+                                } else {
+                                    if inputs_.empty {
+                                        any_119__ = true;
+                                        any_120__ = true;
+                                        self.region_1 = __BranchesInTurnRegion1::Blown;
+                                    }
+                                }
+                            }
+                            _ => {}
+                        }
+                        if any_118__ {
+                            self.since_idle = self.reading;
+                        }
+                        if any_119__ {
+                            self.since_warm = self.reading;
+                        }
+                        match was_state_warm_ {
+                            __BranchesInTurnRegion1::Drain => {
+                                if self.region_1 != __BranchesInTurnRegion1::Drain {
+                                    self.batches = {
+                                        let batches = self.batches;
+                                        batches % 60 + 2
+                                    };
+                                }
+                            }
+                            _ => {}
+                        }
+                        core::sync::atomic::compiler_fence(
+                            core::sync::atomic::Ordering::SeqCst,
+                        );
+                        match self.region_1 {
+                            __BranchesInTurnRegion1::Warm => {
+                                outputs_.heater = true;
+                                self.passed_warm = was_state_warm_
+                                    == __BranchesInTurnRegion1::Warm
+                                    && self.reading.since(self.since_warm)
+                                        >= Ticks::new(5u32);
+                                if was_state_warm_ == __BranchesInTurnRegion1::Warm
+                                    && self.reading.since(self.since_warm)
+                                        >= Ticks::new(5u32)
+                                {
+                                    self.since_warm = self
+                                        .reading
+                                        .since(Ticks::new(5u32));
+                                }
+                            }
+                            __BranchesInTurnRegion1::Drain
+                            | __BranchesInTurnRegion1::Blow => {
+                                outputs_.pump = true;
+                            }
+                            __BranchesInTurnRegion1::Cool => {
+                                self.passed_warm = was_state_warm_
+                                    == __BranchesInTurnRegion1::Cool
+                                    && self.reading.since(self.since_warm)
+                                        >= Ticks::new(7u32);
+                                if was_state_warm_ == __BranchesInTurnRegion1::Cool
+                                    && self.reading.since(self.since_warm)
+                                        >= Ticks::new(7u32)
+                                {
+                                    self.since_warm = self
+                                        .reading
+                                        .since(Ticks::new(7u32));
+                                }
+                            }
+                            _ => {}
+                        }
+                        core::sync::atomic::compiler_fence(
+                            core::sync::atomic::Ordering::SeqCst,
+                        );
+                        match self.region_0 {
+                            __BranchesInTurnRegion0::Idle => {
+                                self.s_ff_lamp = false;
+                            }
+                            __BranchesInTurnRegion0::Fill
+                            | __BranchesInTurnRegion0::Rinse => {
+                                outputs_.lamp = self.s_ff_lamp;
+                                outputs_.valve = true;
+                            }
+                            __BranchesInTurnRegion0::Filled
+                            | __BranchesInTurnRegion0::Rested
+                            | __BranchesInTurnRegion0::Dried
+                            | __BranchesInTurnRegion0::Shake
+                            | __BranchesInTurnRegion0::Shaken
+                            | __BranchesInTurnRegion0::Close => {
+                                outputs_.lamp = self.s_ff_lamp;
+                            }
+                            __BranchesInTurnRegion0::Mix => {
+                                outputs_.lamp = self.s_ff_lamp;
+                                if was_state_idle_ != __BranchesInTurnRegion0::Mix {
+                                    self.batches = {
+                                        let batches = last_batches_;
+                                        batches % 50 + 1
+                                    };
+                                }
+                            }
+                            __BranchesInTurnRegion0::Rest => {
+                                outputs_.lamp = self.s_ff_lamp;
+                                self.passed_idle = was_state_idle_
+                                    == __BranchesInTurnRegion0::Rest
+                                    && self.reading.since(self.since_idle)
+                                        >= Ticks::new(9u32);
+                                if was_state_idle_ == __BranchesInTurnRegion0::Rest
+                                    && self.reading.since(self.since_idle)
+                                        >= Ticks::new(9u32)
+                                {
+                                    self.since_idle = self
+                                        .reading
+                                        .since(Ticks::new(9u32));
+                                }
+                            }
+                            __BranchesInTurnRegion0::Dry => {
+                                self.s_ff_lamp = true;
+                                outputs_.lamp = true;
+                                outputs_.heater = true;
+                            }
+                            __BranchesInTurnRegion0::Open => {
+                                outputs_.lamp = true;
+                            }
+                            _ => {}
+                        }
+                    }
+                }
+                any_120__ = any_120__ || self.batches != last_batches_;
+                self.settled = !any_120__;
+            }
+        }
+        outputs_.batches = self.batches;
+        outputs_
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    fn next_deadline(
+        &self,
+    ) -> Option<Ticks> {
+        if !self.settled {
+            return Option::Some(self.reading);
+        }
+        let mut soonest_ = Option::None;
+        if self.region_1 == __BranchesInTurnRegion1::Warm && !self.passed_warm {
+            soonest_ = earlier(
+                soonest_,
+                self.since_warm.after(Ticks::new(5u32)),
+            );
+        }
+        if self.region_0 == __BranchesInTurnRegion0::Rest && !self.passed_idle {
+            soonest_ = earlier(
+                soonest_,
+                self.since_idle.after(Ticks::new(9u32)),
+            );
+        }
+        if self.region_1 == __BranchesInTurnRegion1::Cool && !self.passed_warm {
+            soonest_ = earlier(
+                soonest_,
+                self.since_warm.after(Ticks::new(7u32)),
+            );
+        }
+        soonest_
+    }
+}
