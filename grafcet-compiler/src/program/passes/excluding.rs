@@ -108,12 +108,9 @@ impl Situations<'_> {
     }
 
     fn exclude(&self, a: &Asked<'_>, b: &Asked<'_>) -> bool {
-        let may_be = |one: &StepId| {
-            b.steps.iter().any(|other| match a.region == b.region {
-                true => one == other,
-                false => self.beside.contains(one.index(), other.index()),
-            })
+        let may_be = |one: StepId, other: StepId| {
+            if a.region == b.region { one == other } else { self.beside.contains(one.index(), other.index()) }
         };
-        !a.steps.iter().any(may_be)
+        !a.steps.iter().any(|one| b.steps.iter().any(|other| may_be(*one, *other)))
     }
 }

@@ -35,7 +35,6 @@ const KINDS: [Kind; 7] = [
         actions: ["P1 n = n % 50 + 1;", ""],
         asks: ["5ms/STEP", "c"],
         more: "any except S0 -[d && !a]-> S0;",
-        ..PLAIN
     },
 ];
 

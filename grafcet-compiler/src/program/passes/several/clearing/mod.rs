@@ -24,7 +24,7 @@ mod told;
 use super::super::engine::Fact;
 use super::super::fold::excludes;
 use super::super::parts::Part;
-use super::super::uses::Effects;
+use super::super::uses::{Effects, replaced, rewrite};
 use super::{Env, Several};
 use crate::model::StepId;
 use crate::program::build::no;
@@ -83,12 +83,17 @@ impl Clearing<'_> {
         self.test(region).is_some_and(|steps| !steps.contains(&step))
     }
 
-    /// Two that never clear together, as one of them needs a step that the other one cannot have beside its own, or what the other one denies.
-    fn excludes(&self, other: &Self) -> bool {
+    /// Two of which one needs a step that the other one cannot have beside its own.
+    fn needs_other_steps(&self, other: &Self) -> bool {
         let lacks = |region: usize, steps: &[StepId]| {
             other.test(region).is_some_and(|others| !steps.iter().any(|step| others.contains(step)))
         };
-        self.tests.iter().any(|(region, steps)| lacks(*region, steps)) || self.denies(other) || other.denies(self)
+        self.tests.iter().any(|(region, steps)| lacks(*region, steps))
+    }
+
+    /// Two that never clear together, by their steps or as one of them denies the other.
+    fn excludes(&self, other: &Self) -> bool {
+        self.needs_other_steps(other) || self.denies(other) || other.denies(self)
     }
 
     /// It asks for the opposite of what the other one asks for, or that this one does not clear.
@@ -135,8 +140,8 @@ impl Clearing<'_> {
 impl<'m> Several<'_, 'm> {
     /// The part transition by transition, if it is understood.
     pub(super) fn by_clearing(&self, part: &Part<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
-        let ways = [Asking::Denying, Asking::Telling, Asking::Beforehand];
-        let (sorted, evolution, copies) = ways.into_iter().find_map(|asking| self.evolution(part, env, asking))?;
+        let each = [Asking::Denying, Asking::Telling, Asking::Beforehand];
+        let (sorted, evolution, copies) = each.into_iter().find_map(|asking| self.evolution(part, env, asking))?;
         let mut all = Vec::new();
         for region in &*copies {
             let (was, state) = (self.was[*region]?, self.states[*region]);
@@ -165,8 +170,40 @@ impl<'m> Several<'_, 'm> {
         for Told { truth, .. } in &sorted.told {
             env.facts[truth.0] = Fact::Nothing;
         }
-        all.extend(self.spec(&sorted.after, &env));
+        let mut after = sorted.after;
+        rewrite(&mut after, &mut |expr| replaced(expr, &|part| self.never_changes(part, &sorted.clearings).then(no)));
+        all.extend(self.spec(&after, &env));
         Some(all)
+    }
+
+    /// Whether an expression asks that a step has been entered, or left, that none of these transitions enters or leaves.
+    fn never_changes(&self, expr: &Expr<'m>, clearings: &[Clearing<'m>]) -> bool {
+        let Expr::All(parts) = expr else { return false };
+        let asks = |of: PlaceId, step: StepId, holds: bool| {
+            parts.iter().any(|part| match part {
+                Expr::Is(place, steps) => holds && *place == of && steps[..] == [step],
+                Expr::Not(inner) => {
+                    !holds && matches!(&**inner, Expr::Is(place, steps) if *place == of && steps[..] == [step])
+                }
+                _ => false,
+            })
+        };
+        let is_never = |(region, step): (usize, StepId)| {
+            let (Some(was), state) = (self.was[region], self.states[region]) else { return false };
+            let enters = |one: &Clearing<'m>| one.write(region).is_some_and(|(_, to)| to == Some(step));
+            let leaves = |one: &Clearing<'m>| {
+                one.write(region).is_some_and(|(_, to)| to != Some(step)) && !one.is_elsewhere((region, step))
+            };
+            asks(state, step, true) && asks(was, step, false) && !clearings.iter().any(enters)
+                || asks(was, step, true) && asks(state, step, false) && !clearings.iter().any(leaves)
+        };
+        parts.iter().any(|part| match part {
+            Expr::Is(place, steps) => match (self.region_of(*place), &steps[..]) {
+                (Some(region), [step]) => is_never((region, *step)),
+                _ => false,
+            },
+            _ => false,
+        })
     }
 
     /// The statements of a part in their order, what stands for its transitions, and the regions of which a copy is wanted for that.

@@ -172,7 +172,7 @@ impl<'m> Writer<'_, '_, '_, 'm> {
             for part in clearing.asks.iter().filter(|part| !is_known(part)) {
                 match denied(part, self.groups.clearings, self.groups.asking) {
                     Some(other) if members.contains(&other) => _ = denies.insert(other),
-                    Some(other) if self.groups.clearings[other].excludes(clearing) => {}
+                    Some(other) if self.groups.clearings[other].needs_other_steps(clearing) => {}
                     Some(other) if known.is_some_and(|known| self.groups.clearings[other].is_elsewhere(known)) => {}
                     Some(_) => return None,
                     None => asks.push(part),
