@@ -128,6 +128,10 @@ impl<'r, 'm> Run<'r, 'm> {
                 enabled.surely.push(id);
             } else {
                 enabled.maybe.push((id, Rc::new(condition)));
+                // Nobody tries so many combinations.
+                if enabled.maybe.len() > OPEN {
+                    break;
+                }
             }
         }
         enabled
