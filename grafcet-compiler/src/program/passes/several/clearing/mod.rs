@@ -84,16 +84,21 @@ impl Clearing<'_> {
     }
 
     /// Two of which one needs a step that the other one cannot have beside its own.
-    fn needs_other_steps(&self, other: &Self) -> bool {
-        let lacks = |region: usize, steps: &[StepId]| {
-            other.test(region).is_some_and(|others| !steps.iter().any(|step| others.contains(step)))
+    fn needs_other_steps(&self, other: &Self, several: &Several<'_, '_>) -> bool {
+        let may_meet = |(here, step): (usize, StepId), (there, other): (usize, StepId)| {
+            if here == there { step == other } else { several.may_meet(Some(step), Some(other)) }
         };
-        self.tests.iter().any(|(region, steps)| lacks(*region, steps))
+        self.tests.iter().any(|(here, steps)| {
+            let meets = |there: usize, others: &[StepId]| {
+                steps.iter().any(|step| others.iter().any(|other| may_meet((*here, *step), (there, *other))))
+            };
+            other.tests.iter().any(|(there, others)| !meets(*there, others))
+        })
     }
 
     /// Two that never clear together, by their steps or as one of them denies the other.
-    fn excludes(&self, other: &Self) -> bool {
-        self.needs_other_steps(other) || self.denies(other) || other.denies(self)
+    fn excludes(&self, other: &Self, several: &Several<'_, '_>) -> bool {
+        self.needs_other_steps(other, several) || self.denies(other) || other.denies(self)
     }
 
     /// It asks for the opposite of what the other one asks for, or that this one does not clear.
@@ -110,12 +115,12 @@ impl Clearing<'_> {
     }
 
     /// Whether another one that may clear with it says last what becomes of a region.
-    fn yields_to(&self, other: &Self) -> bool {
+    fn yields_to(&self, other: &Self, several: &Several<'_, '_>) -> bool {
         let mut written = self.writes.iter();
         let is_overwritten = written.any(|(region, at, step)| {
             other.write(*region).is_some_and(|(later, written)| written != *step && *at < later)
         });
-        is_overwritten && !self.excludes(other)
+        is_overwritten && !self.excludes(other, several)
     }
 
     /// Whether it is as true that a region is in one of these states, after it has cleared, as it was before.
@@ -126,10 +131,15 @@ impl Clearing<'_> {
     }
 
     /// Whether a region has another state after it, unless one clears, too, that leads back to the one before.
-    fn moves(&self, region: usize, all: &[Self], leads_back: impl Fn(usize) -> bool) -> bool {
+    fn moves(
+        &self,
+        region: usize,
+        (all, several): (&[Self], &Several<'_, '_>),
+        leads_back: impl Fn(usize) -> bool,
+    ) -> bool {
         let (Some(own), Some((_, written))) = (self.test(region), self.write(region)) else { return false };
         let is_back = |other: &Self| match other.write(region) {
-            Some((_, Some(step))) => own.contains(&step) && !self.excludes(other),
+            Some((_, Some(step))) => own.contains(&step) && !self.excludes(other, several),
             _ => false,
         };
         let mut back = all.iter().enumerate().filter(|(_, other)| is_back(other));

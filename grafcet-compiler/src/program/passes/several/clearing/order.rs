@@ -85,8 +85,9 @@ impl Groups<'_, '_, '_, '_> {
 
     /// Whether one of the first has to stand in front of one of the second.
     fn is_before(self, first: &[usize], second: &[usize]) -> bool {
-        let is_in_front =
-            |one: usize| second.iter().any(|other| self.clearings[one].yields_to(&self.clearings[*other]));
+        let is_in_front = |one: usize| {
+            second.iter().any(|other| self.clearings[one].yields_to(&self.clearings[*other], self.several))
+        };
         first.iter().any(|one| is_in_front(*one))
     }
 
@@ -172,7 +173,7 @@ impl<'m> Writer<'_, '_, '_, 'm> {
             for part in clearing.asks.iter().filter(|part| !is_known(part)) {
                 match denied(part, self.groups.clearings, self.groups.asking) {
                     Some(other) if members.contains(&other) => _ = denies.insert(other),
-                    Some(other) if self.groups.clearings[other].needs_other_steps(clearing) => {}
+                    Some(other) if self.groups.clearings[other].needs_other_steps(clearing, self.groups.several) => {}
                     Some(other) if known.is_some_and(|known| self.groups.clearings[other].is_elsewhere(known)) => {}
                     Some(_) => return None,
                     None => asks.push(part),
@@ -218,7 +219,13 @@ impl<'m> Writer<'_, '_, '_, 'm> {
         for (region, _, step) in &clearing.writes {
             let stays = clearing.test(*region).is_some_and(|own| step.is_some_and(|step| own == [step]));
             let leaves = |other: &Clearing<'_>| other.write(*region).is_some_and(|(_, to)| to != *step);
-            if stays && !self.groups.clearings.iter().any(|other| leaves(other) && !other.excludes(clearing)) {
+            if stays
+                && !self
+                    .groups
+                    .clearings
+                    .iter()
+                    .any(|other| leaves(other) && !other.excludes(clearing, self.groups.several))
+            {
                 continue;
             }
             body.push(Statement::Set(self.groups.several.states[*region], Expr::Value(Value::Step(*step))));

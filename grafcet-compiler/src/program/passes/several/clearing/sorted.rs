@@ -192,7 +192,9 @@ impl<'m> Several<'_, 'm> {
             while is_changed {
                 is_changed = false;
                 for (at, one) in clearings.iter().enumerate() {
-                    if !surely[at] && regions().any(|region| one.moves(region, clearings, |other| surely[other])) {
+                    if !surely[at]
+                        && regions().any(|region| one.moves(region, (clearings, self), |other| surely[other]))
+                    {
                         surely[at] = true;
                         is_changed = true;
                     }
