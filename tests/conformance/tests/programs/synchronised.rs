@@ -60,7 +60,7 @@ fn a_step_is_left_and_entered_at_once() {
     is_the_same(chart);
 }
 
-/// Who asks later on for what has cleared has all asked beforehand: for actions on activation, times, and what the next cycle would do.
+/// Who asks later on for what has cleared is told by the transitions, or has them asked beforehand: for actions on activation, times, and what the next cycle would do.
 #[test]
 fn what_has_cleared_is_kept_for_others() {
     let timed = STATIONS.replacen("output p", "output n: u8; output p", 1).replacen(
