@@ -151,3 +151,14 @@ fn what_gives_up_branches_may_lead_back_to_where_they_began() {
     let search = chart.replacen("sfc", "grafcet", 1).replacen("-[!b]-> A", "-[!b && d]-> A", 1);
     each_left_out(&read(&search), &storm(&["a", "b", "c", "d", "f"], 300), 100);
 }
+
+/// Actions of two branches that change the same value at once do so in the order of the chart, also where those of one branch are looked up by its state.
+#[test]
+fn actions_at_once_keep_their_order() {
+    let chart = "sfc Both { input a, b, c, d: bool; output n: u8; initial step Idle; \
+         step A1 { P1 n = n % 50 + 1; P0 n = n % 40 * 2; } step B1 { P1 n = n % 40 * 3; P0 n = n % 60 + 2; } \
+         step A2 { P1 n = n % 50 + 3; P0 n = n % 30 * 2; } step B2 { P1 n = n % 30 * 4; P0 n = n % 60 + 5; } step A3; step B3; \
+         Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[b || d]-> B2; A2 -[c]-> A3; B2 -[c]-> B3; (A3, B3) -[!a]-> Idle; }";
+    is_the_same(chart);
+    is_the_same(&chart.replacen("sfc", "grafcet", 1));
+}
