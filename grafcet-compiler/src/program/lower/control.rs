@@ -108,9 +108,10 @@ impl<'m> Lower<'_, 'm> {
         for (id, association) in model.associations.iter() {
             let name = format!("on.{}.{}", self.step_name(association.step), id.index());
             let flag = self.truth(name);
+            let step = association.step.index();
             let (is_on, moment) = match association.qualifier.trigger(Dialect::Sfc) {
-                Trigger::Activation => (self.has_entered(association.step), Moment::After),
-                Trigger::Deactivation => (self.has_left(association.step), Moment::Leaving),
+                Trigger::Activation => (Expr::Place(self.entered[step]), Moment::After),
+                Trigger::Deactivation => (Expr::Place(self.left[step]), Moment::Leaving),
                 Trigger::Active | Trigger::Event => (self.is(association.step), Moment::After),
             };
             let condition = self.condition(association.condition.as_ref(), moment);

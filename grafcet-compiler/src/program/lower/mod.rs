@@ -201,8 +201,6 @@ struct Lower<'r, 'm> {
     /// `sfc`, by step: whether it has been left, or entered.
     left: Vec<PlaceId>,
     entered: Vec<PlaceId>,
-    /// By step: it may be left and entered in one evolution, so that its state does not tell.
-    reentered: Vec<bool>,
     /// By partial grafcet below another one: nothing above keeps it from clearing.
     free: Vec<Option<PlaceId>>,
     /// `grafcet`: how many evolutions have changed something.

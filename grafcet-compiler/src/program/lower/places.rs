@@ -2,7 +2,7 @@
 
 use super::clocks::Clock;
 use super::{Clocks, Lower, Set};
-use crate::analysis::{Concurrency, Facts, edge_ends};
+use crate::analysis::{Facts, edge_ends};
 use crate::list::List;
 use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
 use crate::program::{Initial, PlaceId, PlaceInfo, Regions, Role, Type, Value};
@@ -34,14 +34,6 @@ pub(super) struct Phases {
     pub(super) phase: PlaceId,
     /// `sfc`: before the evolution.
     pub(super) reached: PlaceId,
-}
-
-/// By step: whether it may be left and entered in one evolution.
-fn reentered(model: &Model, concurrency: &Concurrency) -> Vec<bool> {
-    let leads_back =
-        |step: StepId| model.leaving[step.index()].iter().any(|id| model.transitions[*id].targets.contains(&step));
-    let is = |step: StepId| model.forceable || concurrency.activated_while_active(step) || leads_back(step);
-    model.steps.ids().map(is).list()
 }
 
 impl<'r, 'm> Lower<'r, 'm> {
@@ -86,7 +78,6 @@ impl<'r, 'm> Lower<'r, 'm> {
             anys: Vec::new(),
             left: Vec::new(),
             entered: Vec::new(),
-            reentered: reentered(model, &facts.concurrency),
             free: vec![None; model.partials.len()],
             evolutions: PlaceId(0),
             comes_back: facts.searches(model).comes_back,

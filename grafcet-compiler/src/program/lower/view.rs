@@ -104,31 +104,6 @@ impl<'m> Lower<'_, 'm> {
         self.in_step(&self.state, step)
     }
 
-    /// Whether a step has been entered. Of several regions it is said twice, as one that has been entered is active: so it is a matter of that state alone.
-    pub(super) fn has_entered(&self, step: StepId) -> Expr<'m> {
-        let entered = Expr::Place(self.entered[step.index()]);
-        if self.state.len() < 2 {
-            return entered;
-        }
-        if self.reentered[step.index()] || self.initial.contains(&step) {
-            return all(vec![self.is(step), entered]);
-        }
-        all(vec![not(self.was(step)), self.is(step)])
-    }
-
-    /// Whether a step has been left; of several regions by its states alone, where these tell.
-    pub(super) fn has_left(&self, step: StepId) -> Expr<'m> {
-        let left = Expr::Place(self.left[step.index()]);
-        if self.state.len() < 2 {
-            return left;
-        }
-        if self.reentered[step.index()] {
-            all(vec![self.was(step), left])
-        } else {
-            all(vec![self.was(step), not(self.is(step))])
-        }
-    }
-
     pub(super) fn in_step(&self, regions: &[PlaceId], step: StepId) -> Expr<'m> {
         Expr::Is(regions[self.regions.of_step(step)], vec![step])
     }
