@@ -762,12 +762,10 @@ impl Batch {
                 self.since_heat = now_;
             }
             let last_count_: core::primitive::u16 = self.count;
-            let on_idle_0__: bool = was_state_idle_
-                == __BatchRegion0::Idle && left_idle_;
+            let on_idle_0__: bool = left_idle_;
             let on_fill_1__: bool = self.region_0
                 == __BatchRegion0::Fill;
-            let on_fill_2__: bool = self.region_0
-                == __BatchRegion0::Fill && entered_fill_;
+            let on_fill_2__: bool = entered_fill_;
             let on_fill_3__: bool = self.region_0
                 == __BatchRegion0::Fill;
             let on_heat_4__: bool = self.region_1

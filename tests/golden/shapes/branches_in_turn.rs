@@ -159,6 +159,8 @@ impl BranchesInTurn {
                         any_118__ = any_118__ || inputs_.stop;
                         let was_state_idle_: __BranchesInTurnRegion0 = self.region_0;
                         let was_state_warm_: __BranchesInTurnRegion1 = self.region_1;
+                        let mut left_drain_: bool = false;
+                        let mut entered_mix_: bool = false;
                         let mut any_119__: bool = false;
                         any_120__ = false;
                         match self.region_0 {
@@ -180,6 +182,7 @@ impl BranchesInTurn {
                                     self.region_0 = __BranchesInTurnRegion0::NONE;
                                 } else {
                                     if self.region_1 == __BranchesInTurnRegion1::Warmed {
+                                        entered_mix_ = true;
                                         any_118__ = true;
                                         any_120__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::NONE;
@@ -300,10 +303,12 @@ impl BranchesInTurn {
                             }
                             __BranchesInTurnRegion1::Drain => {
                                 if inputs_.stop {
+                                    left_drain_ = true;
                                     any_120__ = true;
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
                                 } else {
                                     if inputs_.empty {
+                                        left_drain_ = true;
                                         any_119__ = true;
                                         any_120__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::Drained;
@@ -344,14 +349,58 @@ impl BranchesInTurn {
                         if any_119__ {
                             self.since_warm = self.reading;
                         }
-                        match was_state_warm_ {
-                            __BranchesInTurnRegion1::Drain => {
-                                if self.region_1 != __BranchesInTurnRegion1::Drain {
-                                    self.batches = {
-                                        let batches = self.batches;
-                                        batches % 60 + 2
-                                    };
+                        if left_drain_ {
+                            self.batches = {
+                                let batches = self.batches;
+                                batches % 60 + 2
+                            };
+                        }
+                        if entered_mix_ {
+                            self.batches = {
+                                let batches = last_batches_;
+                                batches % 50 + 1
+                            };
+                        }
+                        match self.region_0 {
+                            __BranchesInTurnRegion0::Idle => {
+                                self.s_ff_lamp = false;
+                            }
+                            __BranchesInTurnRegion0::Fill
+                            | __BranchesInTurnRegion0::Rinse => {
+                                outputs_.lamp = self.s_ff_lamp;
+                                outputs_.valve = true;
+                            }
+                            __BranchesInTurnRegion0::Filled
+                            | __BranchesInTurnRegion0::Mix
+                            | __BranchesInTurnRegion0::Rested
+                            | __BranchesInTurnRegion0::Dried
+                            | __BranchesInTurnRegion0::Shake
+                            | __BranchesInTurnRegion0::Shaken
+                            | __BranchesInTurnRegion0::Close => {
+                                outputs_.lamp = self.s_ff_lamp;
+                            }
+                            __BranchesInTurnRegion0::Rest => {
+                                outputs_.lamp = self.s_ff_lamp;
+                                self.passed_idle = was_state_idle_
+                                    == __BranchesInTurnRegion0::Rest
+                                    && self.reading.since(self.since_idle)
+                                        >= Ticks::new(9u32);
+                                if was_state_idle_ == __BranchesInTurnRegion0::Rest
+                                    && self.reading.since(self.since_idle)
+                                        >= Ticks::new(9u32)
+                                {
+                                    self.since_idle = self
+                                        .reading
+                                        .since(Ticks::new(9u32));
                                 }
+                            }
+                            __BranchesInTurnRegion0::Dry => {
+                                self.s_ff_lamp = true;
+                                outputs_.lamp = true;
+                                outputs_.heater = true;
+                            }
+                            __BranchesInTurnRegion0::Open => {
+                                outputs_.lamp = true;
                             }
                             _ => {}
                         }
@@ -391,60 +440,6 @@ impl BranchesInTurn {
                                         .reading
                                         .since(Ticks::new(7u32));
                                 }
-                            }
-                            _ => {}
-                        }
-                        core::sync::atomic::compiler_fence(
-                            core::sync::atomic::Ordering::SeqCst,
-                        );
-                        match self.region_0 {
-                            __BranchesInTurnRegion0::Idle => {
-                                self.s_ff_lamp = false;
-                            }
-                            __BranchesInTurnRegion0::Fill
-                            | __BranchesInTurnRegion0::Rinse => {
-                                outputs_.lamp = self.s_ff_lamp;
-                                outputs_.valve = true;
-                            }
-                            __BranchesInTurnRegion0::Filled
-                            | __BranchesInTurnRegion0::Rested
-                            | __BranchesInTurnRegion0::Dried
-                            | __BranchesInTurnRegion0::Shake
-                            | __BranchesInTurnRegion0::Shaken
-                            | __BranchesInTurnRegion0::Close => {
-                                outputs_.lamp = self.s_ff_lamp;
-                            }
-                            __BranchesInTurnRegion0::Mix => {
-                                outputs_.lamp = self.s_ff_lamp;
-                                if was_state_idle_ != __BranchesInTurnRegion0::Mix {
-                                    self.batches = {
-                                        let batches = last_batches_;
-                                        batches % 50 + 1
-                                    };
-                                }
-                            }
-                            __BranchesInTurnRegion0::Rest => {
-                                outputs_.lamp = self.s_ff_lamp;
-                                self.passed_idle = was_state_idle_
-                                    == __BranchesInTurnRegion0::Rest
-                                    && self.reading.since(self.since_idle)
-                                        >= Ticks::new(9u32);
-                                if was_state_idle_ == __BranchesInTurnRegion0::Rest
-                                    && self.reading.since(self.since_idle)
-                                        >= Ticks::new(9u32)
-                                {
-                                    self.since_idle = self
-                                        .reading
-                                        .since(Ticks::new(9u32));
-                                }
-                            }
-                            __BranchesInTurnRegion0::Dry => {
-                                self.s_ff_lamp = true;
-                                outputs_.lamp = true;
-                                outputs_.heater = true;
-                            }
-                            __BranchesInTurnRegion0::Open => {
-                                outputs_.lamp = true;
                             }
                             _ => {}
                         }

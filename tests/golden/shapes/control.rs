@@ -561,12 +561,10 @@ impl Works {
                 == __WorksRegion0::One;
             let on_two_6__: bool = self.region_0
                 == __WorksRegion0::Two;
-            let on_three_7__: bool = self.region_1
-                == __WorksRegion1::Three && entered_three_;
+            let on_three_7__: bool = entered_three_;
             let on_three_8__: bool = self.region_1
                 == __WorksRegion1::Three;
-            let on_four_9__: bool = self.region_1
-                == __WorksRegion1::Four && entered_four_
+            let on_four_9__: bool = entered_four_
                 && ({
                     let rising_0_ = !self.action_edge0_before && action_edge0_now_;
                     rising_0_
