@@ -1,4 +1,4 @@
-//! A controller with what the machine does after it: a line, its belt, a lift, an arm and a clamp.
+//! A controller with what the machine does, written beside it: a line, its belt, a lift, an arm and a clamp.
 
 use core::fmt::Write;
 

@@ -60,6 +60,13 @@ enum Asking {
     Beforehand,
 }
 
+/// The statements of a part, those that stand for its transitions, and the regions of which these want a copy of the state before.
+struct Evolution<'m> {
+    sorted: Sorted<'m>,
+    statements: Vec<Statement<'m>>,
+    copies: Set<usize>,
+}
+
 /// A truth that becomes true where transitions clear.
 struct Told {
     truth: PlaceId,
@@ -151,7 +158,8 @@ impl<'m> Several<'_, 'm> {
     /// The part transition by transition, if it is understood.
     pub(super) fn by_clearing(&self, part: &Part<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
         let each = [Asking::Denying, Asking::Telling, Asking::Beforehand];
-        let (sorted, evolution, copies) = each.into_iter().find_map(|asking| self.evolution(part, env, asking))?;
+        let Evolution { sorted, statements, copies } =
+            each.into_iter().find_map(|asking| self.evolution(part, env, asking))?;
         let mut all = Vec::new();
         for region in &*copies {
             let (was, state) = (self.was[*region]?, self.states[*region]);
@@ -165,7 +173,7 @@ impl<'m> Several<'_, 'm> {
         }
         let mut env = env.clone();
         self.after(&all, &mut env);
-        all.extend(evolution);
+        all.extend(statements);
         for clearing in &sorted.clearings {
             for (region, ..) in &clearing.writes {
                 let state = self.states[*region];
@@ -216,24 +224,18 @@ impl<'m> Several<'_, 'm> {
         })
     }
 
-    /// The statements of a part in their order, what stands for its transitions, and the regions of which a copy is wanted for that.
-    #[allow(clippy::type_complexity, reason = "three results, each used once")]
-    fn evolution(
-        &self,
-        part: &Part<'m>,
-        env: &Env,
-        asking: Asking,
-    ) -> Option<(Sorted<'m>, Vec<Statement<'m>>, Set<usize>)> {
+    /// A part whose transitions are asked for so, if that is possible.
+    fn evolution(&self, part: &Part<'m>, env: &Env, asking: Asking) -> Option<Evolution<'m>> {
         let sorted = self.sorted(&part.statements, env, asking)?;
         let groups = Groups { several: self, clearings: &sorted.clearings, asking };
         let free = self.free(&part.statements, env);
         let mut writer = Writer { groups, told: &sorted.told, free: &free, copies: Set::new(), done: Vec::new() };
-        let mut evolution = Vec::new();
+        let mut statements = Vec::new();
         for group in &groups.ordered()? {
-            evolution.extend(writer.group(group)?);
+            statements.extend(writer.group(group)?);
         }
         let copies = writer.copies;
-        Some((sorted, evolution, copies))
+        Some(Evolution { sorted, statements, copies })
     }
 
     /// The regions of which a copy may be made here: nobody needs another one, or it is the same.

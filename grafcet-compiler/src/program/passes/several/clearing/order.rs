@@ -218,14 +218,11 @@ impl<'m> Writer<'_, '_, '_, 'm> {
         }
         for (region, _, step) in &clearing.writes {
             let stays = clearing.test(*region).is_some_and(|own| step.is_some_and(|step| own == [step]));
-            let leaves = |other: &Clearing<'_>| other.write(*region).is_some_and(|(_, to)| to != *step);
-            if stays
-                && !self
-                    .groups
-                    .clearings
-                    .iter()
-                    .any(|other| leaves(other) && !other.excludes(clearing, self.groups.several))
-            {
+            let may_leave = |other: &Clearing<'_>| {
+                other.write(*region).is_some_and(|(_, to)| to != *step)
+                    && !other.excludes(clearing, self.groups.several)
+            };
+            if stays && !self.groups.clearings.iter().any(may_leave) {
                 continue;
             }
             body.push(Statement::Set(self.groups.several.states[*region], Expr::Value(Value::Step(*step))));
