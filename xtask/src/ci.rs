@@ -305,8 +305,12 @@ fn clippy() -> Result {
     run_command(cargo(&["clippy", "--lib"]).args(FIRMWARE).args(DENIED))
 }
 
+/// The workspace turns on all features of the compiler; published, its page is made without them.
 fn doc() -> Result {
-    run_command(cargo(&["doc", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))
+    let document =
+        |which: &[&str]| run_command(cargo(&["doc", "--no-deps"]).args(which).env("RUSTDOCFLAGS", "-D warnings"));
+    document(&["--workspace"])?;
+    document(&["--package", "grafcet-compiler"])
 }
 
 #[cfg(test)]

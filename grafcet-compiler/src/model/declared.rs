@@ -69,7 +69,7 @@ pub struct Param {
     pub levels: Vec<LevelAttr>,
     pub ty: Ty,
     pub init: Option<Expr>,
-    /// What it never leaves; one of the [assumptions](Model::assumptions) says the same.
+    /// What it never leaves; one of the [assumptions](super::Model::assumptions) says the same.
     pub range: Option<Range>,
 }
 

@@ -4,7 +4,7 @@ use crate::model::{
     AssociationId, DelayId, EdgeId, Expr as Written, MacroId, OutputId, ParamId, Qualifier, StepId, Ty, VarId,
 };
 
-/// An index into [`Program::places`].
+/// An index into [`Program::places`](super::Program::places).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct PlaceId(pub usize);
 
