@@ -54,7 +54,8 @@ impl<'m> Several<'_, 'm> {
             Some(done) if synchronised.len() > FEW => done,
             Some(done) => {
                 let by_condition = self.by_condition(part, &synchronised, env);
-                if 5 * size(&done) < 4 * size(&by_condition) { done } else { by_condition }
+                // What is asked first is known wherever it matters, which its length does not show.
+                if 7 * size(&done) < 5 * size(&by_condition) { done } else { by_condition }
             }
             None => self.by_condition(part, &synchronised, env),
         }
