@@ -495,7 +495,6 @@ impl Batch {
                             outputs_.lamp = true;
                             self.acted_heat = 3;
                             self.held_heat_3_ = true;
-                            self.held_stir_7_ = false;
                             self.count = {
                                 let count = self.count;
                                 count + 1
@@ -519,8 +518,6 @@ impl Batch {
                             outputs_.lamp = true;
                             by_leaving_heat_ = self.was_q_heat
                                 && (self.held_heat_3_ || self.held_stir_7_);
-                            self.held_heat_3_ = false;
-                            self.held_stir_7_ = false;
                             if by_leaving_heat_ {
                                 match self.acted_heat {
                                     3 => {
@@ -561,7 +558,6 @@ impl Batch {
                                     _ => {}
                                 }
                             }
-                            self.was_q_heat = false;
                             any_69__ = opaque_ran_;
                         }
                     }
@@ -580,7 +576,6 @@ impl Batch {
                             };
                             by_leaving_heat_ = self.was_q_heat
                                 && (self.held_heat_3_ || self.held_stir_7_);
-                            self.held_heat_3_ = false;
                             self.held_stir_7_ = false;
                             self.sd_ff_pump = false;
                             if by_leaving_heat_ {
@@ -633,10 +628,6 @@ impl Batch {
                             self.was_q_heat = false;
                             any_69__ = true;
                         } else {
-                            self.acted_heat = 7;
-                            self.held_heat_3_ = false;
-                            self.held_stir_7_ = true;
-                            self.sd_ff_pump = true;
                             actions_
                                 .heat(
                                     if self.was_q_heat {
@@ -646,7 +637,6 @@ impl Batch {
                                     },
                                     40,
                                 );
-                            self.was_q_heat = true;
                             if self.reading.since(self.since_idle)
                                 >= ::grafcet::__private::Ticks::new(2000u32)
                             {
@@ -666,8 +656,6 @@ impl Batch {
                             outputs_.lamp = true;
                             by_leaving_heat_ = self.was_q_heat
                                 && (self.held_heat_3_ || self.held_stir_7_);
-                            self.held_heat_3_ = false;
-                            self.held_stir_7_ = false;
                             if by_leaving_heat_ {
                                 match self.acted_heat {
                                     3 => {
@@ -704,7 +692,6 @@ impl Batch {
                                     _ => {}
                                 }
                             }
-                            self.was_q_heat = false;
                             any_69__ = true;
                         } else {
                             on_drain_10__ = true;
@@ -714,9 +701,6 @@ impl Batch {
                             };
                             by_leaving_heat_ = self.was_q_heat
                                 && (self.held_heat_3_ || self.held_stir_7_);
-                            self.held_heat_3_ = false;
-                            self.held_stir_7_ = false;
-                            self.sd_ff_pump = false;
                             if by_leaving_heat_ {
                                 match self.acted_heat {
                                     3 => {
@@ -757,7 +741,6 @@ impl Batch {
                                     _ => {}
                                 }
                             }
-                            self.was_q_heat = false;
                             any_69__ = opaque_ran_;
                         }
                     }
@@ -788,9 +771,6 @@ impl Batch {
                                     on_heat_5__ = true;
                                     outputs_.lamp = self.time_heat
                                         < ::grafcet::__private::Ticks::new(3000u32);
-                                    self.acted_heat = 3;
-                                    self.held_heat_3_ = true;
-                                    self.held_stir_7_ = false;
                                     actions_
                                         .heat(
                                             if self.was_q_heat {
@@ -812,8 +792,6 @@ impl Batch {
                                 outputs_.valve = true;
                                 by_leaving_heat_ = self.was_q_heat
                                     && (self.held_heat_3_ || self.held_stir_7_);
-                                self.held_heat_3_ = false;
-                                self.held_stir_7_ = false;
                                 if by_leaving_heat_ {
                                     match self.acted_heat {
                                         3 => {

@@ -451,8 +451,6 @@ impl Cell {
             == __CellRegion0::INIT;
         if first_ {
             self.region_0 = self.region_0.with(__CellRegion0::Ready);
-        }
-        if first_ {
             self.edge0_before = inputs_.part;
         }
         let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
@@ -529,18 +527,21 @@ impl Cell {
                                 }
                             }
                             __CellRegion1::Auto => {
-                                if ({
-                                    let n = self.n;
-                                    n >= 2
-                                }) && !inputs_.part
-                                {
-                                    clears_auto_idle_ = true;
-                                    self.region_1 = __CellRegion1::Idle;
-                                    moves_32__ = true;
-                                    self.region_2 = __CellRegion2::NONE;
+                                if !inputs_.part {
+                                    if {
+                                        let n = self.n;
+                                        n >= 2
+                                    } {
+                                        clears_auto_idle_ = true;
+                                        self.region_1 = __CellRegion1::Idle;
+                                        moves_32__ = true;
+                                        self.region_2 = __CellRegion2::NONE;
+                                    } else {
+                                        clears_auto_idle_ = false;
+                                    }
                                 } else {
                                     clears_auto_idle_ = false;
-                                    if !self.edge0_before && inputs_.part {
+                                    if !self.edge0_before {
                                         next_n_ = {
                                             let n = self.n;
                                             n + 1

@@ -48,18 +48,15 @@ impl AnyBesideBranches {
                 }
             }
             _ => {
-                if self.region_0 == __AnyBesideBranchesRegion0::B
-                    && self.region_1 == __AnyBesideBranchesRegion1::E && !inputs_.stop
-                    && inputs_.d
-                {
-                    self.region_1 = __AnyBesideBranchesRegion1::NONE;
-                    self.region_0 = __AnyBesideBranchesRegion0::Idle;
-                } else {
-                    match self.region_0 {
-                        __AnyBesideBranchesRegion0::A => {
-                            if inputs_.stop {
-                                self.region_0 = __AnyBesideBranchesRegion0::Stopped;
-                            } else {
+                if !inputs_.stop {
+                    if self.region_0 == __AnyBesideBranchesRegion0::B
+                        && self.region_1 == __AnyBesideBranchesRegion1::E && inputs_.d
+                    {
+                        self.region_1 = __AnyBesideBranchesRegion1::NONE;
+                        self.region_0 = __AnyBesideBranchesRegion0::Idle;
+                    } else {
+                        match self.region_0 {
+                            __AnyBesideBranchesRegion0::A => {
                                 if inputs_.b {
                                     self.region_0 = __AnyBesideBranchesRegion0::B;
                                     outputs_.q = true;
@@ -67,13 +64,36 @@ impl AnyBesideBranches {
                                     outputs_.p = true;
                                 }
                             }
-                        }
-                        __AnyBesideBranchesRegion0::B => {
-                            if inputs_.stop {
-                                self.region_0 = __AnyBesideBranchesRegion0::Stopped;
-                            } else {
+                            __AnyBesideBranchesRegion0::B => {
                                 outputs_.q = true;
                             }
+                            _ => {}
+                        }
+                        core::sync::atomic::compiler_fence(
+                            core::sync::atomic::Ordering::SeqCst,
+                        );
+                        match self.region_1 {
+                            __AnyBesideBranchesRegion1::C => {
+                                if inputs_.c {
+                                    self.region_1 = __AnyBesideBranchesRegion1::E;
+                                    outputs_.s = true;
+                                } else {
+                                    outputs_.r = true;
+                                }
+                            }
+                            __AnyBesideBranchesRegion1::E => {
+                                outputs_.s = true;
+                            }
+                            _ => {}
+                        }
+                    }
+                } else {
+                    match self.region_0 {
+                        __AnyBesideBranchesRegion0::A => {
+                            self.region_0 = __AnyBesideBranchesRegion0::Stopped;
+                        }
+                        __AnyBesideBranchesRegion0::B => {
+                            self.region_0 = __AnyBesideBranchesRegion0::Stopped;
                         }
                         _ => {}
                     }
@@ -82,23 +102,10 @@ impl AnyBesideBranches {
                     );
                     match self.region_1 {
                         __AnyBesideBranchesRegion1::C => {
-                            if inputs_.stop {
-                                self.region_1 = __AnyBesideBranchesRegion1::NONE;
-                            } else {
-                                if inputs_.c {
-                                    self.region_1 = __AnyBesideBranchesRegion1::E;
-                                    outputs_.s = true;
-                                } else {
-                                    outputs_.r = true;
-                                }
-                            }
+                            self.region_1 = __AnyBesideBranchesRegion1::NONE;
                         }
                         __AnyBesideBranchesRegion1::E => {
-                            if inputs_.stop {
-                                self.region_1 = __AnyBesideBranchesRegion1::NONE;
-                            } else {
-                                outputs_.s = true;
-                            }
+                            self.region_1 = __AnyBesideBranchesRegion1::NONE;
                         }
                         _ => {}
                     }

@@ -71,19 +71,15 @@ impl BranchesInTurn {
                             self.region_0 = __BranchesInTurnRegion0::Fill;
                             self.region_1 = __BranchesInTurnRegion1::Warm;
                             self.since_warm = self.reading;
-                            outputs_.lamp = self.s_ff_lamp;
                             outputs_.valve = true;
                             outputs_.heater = true;
                             self.passed_warm = false;
                             any_120__ = true;
-                        } else {
-                            self.s_ff_lamp = false;
                         }
                     }
                     __BranchesInTurnRegion0::Mix => {
                         if inputs_.stop {
                             self.region_0 = __BranchesInTurnRegion0::Idle;
-                            self.s_ff_lamp = false;
                             any_120__ = true;
                         } else {
                             if inputs_.start {
@@ -91,19 +87,15 @@ impl BranchesInTurn {
                                 self.region_1 = __BranchesInTurnRegion1::Drain;
                                 self.since_idle = self.reading;
                                 self.since_warm = self.reading;
-                                outputs_.lamp = self.s_ff_lamp;
                                 outputs_.pump = true;
                                 self.passed_idle = false;
                                 any_120__ = true;
-                            } else {
-                                outputs_.lamp = self.s_ff_lamp;
                             }
                         }
                     }
                     __BranchesInTurnRegion0::Rinse => {
                         if inputs_.stop {
                             self.region_0 = __BranchesInTurnRegion0::Idle;
-                            self.s_ff_lamp = false;
                             any_120__ = true;
                         } else {
                             if inputs_.full {
@@ -111,12 +103,10 @@ impl BranchesInTurn {
                                 self.region_1 = __BranchesInTurnRegion1::Cool;
                                 self.since_warm = self.reading;
                                 self.s_ff_lamp = true;
-                                outputs_.lamp = true;
                                 outputs_.heater = true;
                                 self.passed_warm = false;
                                 any_120__ = true;
                             } else {
-                                outputs_.lamp = self.s_ff_lamp;
                                 outputs_.valve = true;
                             }
                         }
@@ -131,7 +121,6 @@ impl BranchesInTurn {
                                 self.region_0 = __BranchesInTurnRegion0::Shake;
                                 self.region_1 = __BranchesInTurnRegion1::Blow;
                                 self.since_warm = self.reading;
-                                outputs_.lamp = self.s_ff_lamp;
                                 outputs_.pump = true;
                                 any_120__ = true;
                             } else {
@@ -149,8 +138,6 @@ impl BranchesInTurn {
                                 self.region_0 = __BranchesInTurnRegion0::Idle;
                                 self.s_ff_lamp = false;
                                 any_120__ = true;
-                            } else {
-                                outputs_.lamp = self.s_ff_lamp;
                             }
                         }
                     }
@@ -367,20 +354,9 @@ impl BranchesInTurn {
                             }
                             __BranchesInTurnRegion0::Fill
                             | __BranchesInTurnRegion0::Rinse => {
-                                outputs_.lamp = self.s_ff_lamp;
                                 outputs_.valve = true;
                             }
-                            __BranchesInTurnRegion0::Filled
-                            | __BranchesInTurnRegion0::Mix
-                            | __BranchesInTurnRegion0::Rested
-                            | __BranchesInTurnRegion0::Dried
-                            | __BranchesInTurnRegion0::Shake
-                            | __BranchesInTurnRegion0::Shaken
-                            | __BranchesInTurnRegion0::Close => {
-                                outputs_.lamp = self.s_ff_lamp;
-                            }
                             __BranchesInTurnRegion0::Rest => {
-                                outputs_.lamp = self.s_ff_lamp;
                                 self.passed_idle = was_state_idle_
                                     == __BranchesInTurnRegion0::Rest
                                     && self.reading.since(self.since_idle)
@@ -395,8 +371,6 @@ impl BranchesInTurn {
                                 }
                             }
                             __BranchesInTurnRegion0::Dry => {
-                                self.s_ff_lamp = true;
-                                outputs_.lamp = true;
                                 outputs_.heater = true;
                             }
                             __BranchesInTurnRegion0::Open => {
@@ -448,6 +422,9 @@ impl BranchesInTurn {
                 any_120__ = any_120__ || self.batches != last_batches_;
                 self.settled = !any_120__;
             }
+        }
+        if self.s_ff_lamp {
+            outputs_.lamp = true;
         }
         outputs_.batches = self.batches;
         outputs_

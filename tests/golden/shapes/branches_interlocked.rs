@@ -75,20 +75,19 @@ impl Hoists {
                             }
                         }
                         __HoistsRegion0::LiftA => {
-                            if inputs_.up
-                                && now_.since(self.since_idle)
-                                    >= Ticks::new(2000u32)
+                            if now_.since(self.since_idle)
+                                >= Ticks::new(2000u32)
                             {
-                                self.region_0 = __HoistsRegion0::EndA;
-                            } else {
-                                outputs_.lift_a = true;
-                                if now_.since(self.since_idle)
-                                    >= Ticks::new(2000u32)
-                                {
+                                if inputs_.up {
+                                    self.region_0 = __HoistsRegion0::EndA;
+                                } else {
+                                    outputs_.lift_a = true;
                                     self.since_idle = now_
                                         .since(Ticks::new(2000u32));
                                     self.before_state_idle = __HoistsRegion0::Idle;
                                 }
+                            } else {
+                                outputs_.lift_a = true;
                             }
                         }
                         _ => {}
@@ -108,21 +107,20 @@ impl Hoists {
                             }
                         }
                         __HoistsRegion1::LiftB => {
-                            if inputs_.down
-                                && now_.since(self.since_waitb)
-                                    >= Ticks::new(1000u32)
+                            if now_.since(self.since_waitb)
+                                >= Ticks::new(1000u32)
                             {
-                                self.region_1 = __HoistsRegion1::EndB;
-                                self.since_waitb = now_;
-                            } else {
-                                outputs_.lift_b = true;
-                                if now_.since(self.since_waitb)
-                                    >= Ticks::new(1000u32)
-                                {
+                                if inputs_.down {
+                                    self.region_1 = __HoistsRegion1::EndB;
+                                    self.since_waitb = now_;
+                                } else {
+                                    outputs_.lift_b = true;
                                     self.since_waitb = now_
                                         .since(Ticks::new(1000u32));
                                     self.before_state_waitb = __HoistsRegion1::EndB;
                                 }
+                            } else {
+                                outputs_.lift_b = true;
                             }
                         }
                         _ => {}

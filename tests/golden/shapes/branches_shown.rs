@@ -39,8 +39,6 @@ impl Presses {
                     outputs_.left = true;
                     outputs_.right = true;
                     self.s_ff_busy = true;
-                } else {
-                    self.s_ff_busy = false;
                 }
             }
             _ => {
@@ -57,7 +55,6 @@ impl Presses {
                                 self.region_0 = __PressesRegion0::LeftReady;
                             } else {
                                 outputs_.left = true;
-                                self.s_ff_busy = true;
                             }
                         }
                         _ => {}

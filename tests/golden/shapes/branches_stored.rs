@@ -108,12 +108,7 @@ impl Kiln {
                                 last > 2
                             }) && !inputs_.next)
                     {
-                        let clears_four_three_: bool = inputs_
-                            .start
-                            && ({
-                                let last = self.last;
-                                last > 2
-                            }) && !inputs_.next;
+                        let clears_four_three_: bool = false;
                         moves_31__ = true;
                         self.time_idle = Ticks::ZERO;
                         self.region_1 = __KilnRegion1::NONE;
@@ -126,8 +121,6 @@ impl Kiln {
                                 let level = inputs_.level;
                                 count + level % 7
                             };
-                        }
-                        if self.region_1 == __KilnRegion1::Three {
                             next_last_ = {
                                 let last = self.last;
                                 last % 50 + 3

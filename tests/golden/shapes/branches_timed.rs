@@ -57,8 +57,6 @@ impl Kettle {
                     outputs_.valve = true;
                     outputs_.ready = self.s_ff_ready;
                     outputs_.heater = true;
-                } else {
-                    self.s_ff_ready = false;
                 }
             }
             _ => {
@@ -72,22 +70,21 @@ impl Kettle {
                     let mut on_stirred_5__: bool = false;
                     match self.region_1 {
                         __KettleRegion1::Fill => {
-                            if inputs_.full
-                                && now_.since(self.since_fill)
-                                    >= Ticks::new(1000u32)
+                            if now_.since(self.since_fill)
+                                >= Ticks::new(1000u32)
                             {
-                                self.region_1 = __KettleRegion1::Stir;
-                                self.since_fill = now_;
-                                outputs_.stirrer = true;
-                            } else {
-                                outputs_.valve = true;
-                                if now_.since(self.since_fill)
-                                    >= Ticks::new(1000u32)
-                                {
+                                if inputs_.full {
+                                    self.region_1 = __KettleRegion1::Stir;
+                                    self.since_fill = now_;
+                                    outputs_.stirrer = true;
+                                } else {
+                                    outputs_.valve = true;
                                     self.since_fill = now_
                                         .since(Ticks::new(1000u32));
                                     self.before_state_fill = __KettleRegion1::Stir;
                                 }
+                            } else {
+                                outputs_.valve = true;
                             }
                         }
                         __KettleRegion1::Stir => {

@@ -26,11 +26,7 @@ impl Sorter {
         let first_: bool = self.situation == __SorterState::INIT;
         if first_ {
             self.situation = __SorterState::Wait;
-        }
-        if first_ {
             self.edge0_before = inputs_.part;
-        }
-        if first_ {
             self.edge1_before = inputs_.end;
         }
         let mut now_state_: __SorterState = self.situation;

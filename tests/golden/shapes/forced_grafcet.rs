@@ -53,8 +53,6 @@ impl Lamp {
             == __LampState::INIT;
         if first_ {
             self.situation = self.situation.with(__LampState::Off);
-        }
-        if first_ {
             self.edge0_before = inputs_.next;
         }
         let mut now_state_: __LampState = self.situation.state();

@@ -32,11 +32,7 @@ impl Gate {
         let first_: bool = self.region_0 == __GateRegion0::INIT;
         if first_ {
             self.region_0 = __GateRegion0::Rest;
-        }
-        if first_ {
             self.edge0_before = inputs_.open;
-        }
-        if first_ {
             self.edge1_before = inputs_.close;
         }
         let inputs_ = core::hint::black_box(inputs_);

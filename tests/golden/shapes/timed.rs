@@ -46,14 +46,16 @@ impl Lamp {
                 }
             }
             __LampState::Dim => {
-                if !inputs_.on && passed_ >= Ticks::new(3000u32) {
-                    self.situation = __LampState::Off;
-                } else {
-                    outputs_.lamp = passed_ < Ticks::new(2000u32);
-                    if passed_ >= Ticks::new(3000u32) {
+                if passed_ >= Ticks::new(3000u32) {
+                    if !inputs_.on {
+                        self.situation = __LampState::Off;
+                    } else {
+                        outputs_.lamp = false;
                         self.since = now_
                             .since(Ticks::new(3000u32));
                     }
+                } else {
+                    outputs_.lamp = passed_ < Ticks::new(2000u32);
                 }
             }
         }

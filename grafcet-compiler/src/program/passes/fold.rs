@@ -164,7 +164,7 @@ fn ticks<'m>(ticks: u32) -> Expr<'m> {
     Expr::Value(Value::Ticks(ticks))
 }
 
-fn negated(expr: Expr<'_>) -> Expr<'_> {
+pub(super) fn negated(expr: Expr<'_>) -> Expr<'_> {
     match expr {
         Expr::Compare(Comparison::Less, a, b) => Expr::Compare(Comparison::AtLeast, a, b),
         Expr::Compare(Comparison::AtLeast, a, b) => Expr::Compare(Comparison::Less, a, b),

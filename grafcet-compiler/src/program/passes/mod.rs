@@ -22,6 +22,7 @@
 //! - `before`: the states that a cycle of several regions began with tell whether it has moved
 //! - `shown`: outputs that end each cycle with what a field holds
 //! - `begun`: a time begins only where a step becomes active that asks for it
+//! - `anew`: what a field holds in a state is not stored there once more
 //! - `dead`: what nobody looks at
 //! - `once`: nothing is asked of the inputs twice on a way
 //! - `store`: the next state is stored once
@@ -43,6 +44,7 @@
 
 mod alike;
 mod among;
+mod anew;
 mod arms;
 mod before;
 mod begun;
@@ -132,6 +134,7 @@ passes! {
     Before,
     Shown,
     Begun,
+    Anew,
     Dead,
     Once,
     Store,
@@ -153,7 +156,14 @@ impl Pass {
     fn follows_cycles(self) -> bool {
         matches!(
             self,
-            Self::Known | Self::Told | Self::Moved | Self::Before | Self::Begun | Self::Nested | Self::United
+            Self::Known
+                | Self::Told
+                | Self::Moved
+                | Self::Before
+                | Self::Begun
+                | Self::Anew
+                | Self::Nested
+                | Self::United
         )
     }
 }
@@ -197,6 +207,7 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
         Pass::Before => before::pass(program),
         Pass::Shown => shown::pass(program),
         Pass::Begun => begun::pass(program),
+        Pass::Anew => anew::pass(program),
         Pass::Dead => dead::pass(program),
         Pass::Once => once::pass(program),
         Pass::Store => store::pass(program),

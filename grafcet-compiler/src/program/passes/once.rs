@@ -1,4 +1,4 @@
-//! What a way has asked of the inputs is not asked on it again.
+//! What a way has asked is not asked on it again, as long as nothing has changed it.
 //!
 //! ```text
 //! if empty && again: state = Fill              if empty:
@@ -7,12 +7,23 @@
 //!                                              else: state = Drain
 //! ```
 //!
-//! Inputs are the same throughout a cycle. A condition that begins with what the next ones ask, too, is taken apart there where that leaves no
-//! more to ask and to do. Needs: nothing.
+//! A condition of which a part is what the next ones ask, too, is taken apart there where that leaves no more to ask and to do.
+//!
+//! ```text
+//! if !full && passed >= 2s: state = Fill       if passed >= 2s:
+//! else:                                          if !full: state = Fill
+//!   if passed >= 2s: before = start        ->    else:
+//!   if passed >= 2s: since = …                     before = start
+//!                                                  since = …
+//! ```
+//!
+//! Needs: nothing.
 
 use super::super::build::{all, any, no, not, yes};
-use super::super::{Expr, Program, Statement, Value};
-use super::uses::{blocks, is_pure, same, same_block};
+use super::super::{Comparison, Expr, PlaceId, Program, Statement, Value};
+use super::fold::negated;
+use super::uses::{blocks, each_read, each_written, is_plain, is_pure, mentions, same, same_block};
+use crate::list::PushAll;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
@@ -25,123 +36,259 @@ pub(super) fn statements(statements: &mut Vec<Statement<'_>>) {
     block(statements, &mut Learned::default());
 }
 
-/// So many conditions are tried to be taken apart within one that is: each has what stands after it looked at twice more.
-const TRIES: usize = 64;
+/// Of so much that is asked and done is it tried out, on one way, what it would be if conditions were taken apart.
+const EFFORT: usize = 4000;
 
-/// Conditions of inputs alone, and whether each holds.
-type Told<'m> = Vec<(Expr<'m>, bool)>;
+/// So many comparisons in the user's own Rust are remembered on one way.
+const USERS: usize = 32;
+
+/// A condition that has been asked.
+struct Told<'m> {
+    condition: Expr<'m>,
+    holds: bool,
+    /// Of what places.
+    reads: Vec<PlaceId>,
+}
+
+impl<'m> Told<'m> {
+    /// Whether another condition holds then: the same one, or one of the same time.
+    fn tells(&self, other: &Expr<'m>) -> Option<bool> {
+        if same(&self.condition, other) {
+            return Some(self.holds);
+        }
+        let ((one, least, is_one), (time, end, is_other)) = (limit(&self.condition)?, limit(other)?);
+        let reached = self.holds == is_one;
+        let follows = if reached { end <= least } else { least <= end };
+        (follows && same(one, time)).then_some(reached == is_other)
+    }
+}
+
+/// Of a comparison of a time with a literal, both, and whether it holds from there on.
+fn limit<'e>(condition: &'e Expr<'_>) -> Option<(&'e Expr<'e>, u32, bool)> {
+    match condition {
+        Expr::Compare(comparison @ (Comparison::AtLeast | Comparison::Less), time, end) => match **end {
+            Expr::Value(Value::Ticks(end)) => Some((time, end, *comparison == Comparison::AtLeast)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
 
 /// What is known on a way.
 #[derive(Default)]
 struct Learned<'m> {
-    told: Told<'m>,
-    /// In how many conditions that are tried to be taken apart this one lies, and how many more may be tried.
-    depth: usize,
-    tries: usize,
+    told: Vec<Told<'m>>,
+    /// Which of it holds no longer, as something it asks for has been written.
+    stale: Vec<usize>,
+    /// How much more may be tried out, and whether that is what is done.
+    effort: usize,
+    is_trying: bool,
 }
 
-impl Learned<'_> {
-    fn may_try(&mut self) -> bool {
-        if self.depth == 0 {
-            self.tries = TRIES;
+impl<'m> Learned<'m> {
+    /// A part of a condition that is better asked first, as what stands after it asks for it, too; and the rest.
+    fn apart(&mut self, condition: &Expr<'m>, otherwise: &[Statement<'m>]) -> Option<(Expr<'m>, Expr<'m>)> {
+        if self.told.is_empty() {
+            self.effort = EFFORT;
         }
-        self.tries = self.tries.saturating_sub(1);
-        self.tries > 0
+        let Expr::All(parts) = condition else { return None };
+        if self.is_trying || otherwise.is_empty() {
+            return None;
+        }
+        for (at, part) in parts.iter().enumerate().take_while(|(_, part)| is_pure(part)) {
+            // What stands in front of it may be there so that it does not panic.
+            let may_come_first = at == 0 || is_plain(part);
+            if may_come_first && is_asked(otherwise, part) {
+                let mut rest = parts.clone();
+                let part = rest.remove(at);
+                let rest = all(rest);
+                self.effort = self.effort.checked_sub(size(otherwise))?;
+                if self.gains((&part, &rest), condition, otherwise) {
+                    return Some((part, rest));
+                }
+            }
+        }
+        None
+    }
+
+    /// Whether there is no more to ask and to do where the first of two parts of a condition is asked first.
+    fn gains(&mut self, (part, rest): (&Expr<'m>, &Expr<'m>), both: &Expr<'m>, otherwise: &[Statement<'m>]) -> bool {
+        let (mut with, mut without, mut plain) = (otherwise.to_vec(), otherwise.to_vec(), otherwise.to_vec());
+        self.is_trying = true;
+        self.within(|learned| {
+            learned.learn(part, true);
+            under(&mut with, rest, false, learned);
+        });
+        under(&mut without, part, false, self);
+        under(&mut plain, both, false, self);
+        self.is_trying = false;
+        let whole = size(&plain);
+        size(&with) != whole && size(&without) != whole && size(&with) + size(&without) <= whole
+    }
+
+    /// What is known still.
+    fn known(&self) -> impl Iterator<Item = &Told<'m>> {
+        self.told.iter().enumerate().filter(|(at, _)| !self.stale.contains(at)).map(|(_, told)| told)
+    }
+
+    /// Something that is known only there.
+    fn within(&mut self, work: impl FnOnce(&mut Self)) {
+        let (told, stale) = (self.told.len(), self.stale.len());
+        work(self);
+        self.told.truncate(told);
+        self.stale.truncate(stale);
+    }
+
+    fn learn(&mut self, condition: &Expr<'m>, holds: bool) {
+        match (condition, holds) {
+            (Expr::Not(inner), _) => self.learn(inner, !holds),
+            (Expr::All(parts), true) | (Expr::Any(parts), false) => {
+                for part in parts {
+                    self.learn(part, holds);
+                }
+            }
+            _ if is_pure(condition) && self.has_room(condition) => {
+                let mut reads = Vec::new();
+                each_read(condition, &mut |place| reads.push(place));
+                if let Expr::Compare(Comparison::Equal | Comparison::Differs, ..) = condition {
+                    let condition = negated(condition.clone());
+                    self.told.push(Told { condition, holds: !holds, reads: reads.clone() });
+                }
+                self.told.push(Told { condition: condition.clone(), holds, reads });
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether it is not one too many of those that take long to compare.
+    fn has_room(&self, condition: &Expr<'m>) -> bool {
+        let is_user = |expr: &Expr<'m>| matches!(expr, Expr::User(_));
+        !is_user(condition) || self.told.iter().filter(|told| is_user(&told.condition)).count() < USERS
+    }
+
+    /// What these statements may have changed is not known after them.
+    fn forget(&mut self, statements: &[Statement<'m>]) {
+        if self.known().all(|told| told.reads.is_empty()) {
+            return;
+        }
+        each_written(statements, &mut |written| {
+            for (at, told) in self.told.iter().enumerate() {
+                if told.reads.contains(&written) && !self.stale.contains(&at) {
+                    self.stale.push(at);
+                }
+            }
+        });
     }
 }
 
 fn block<'m>(statements: &mut Vec<Statement<'m>>, learned: &mut Learned<'m>) {
     let mut new = Vec::with_capacity(statements.len());
-    for statement in statements.drain(..) {
+    let last = statements.len().saturating_sub(1);
+    for (at, statement) in statements.drain(..).enumerate() {
+        let before = new.len();
         match statement {
             Statement::If(condition, then, otherwise) => branches(&condition, then, otherwise, learned, &mut new),
             Statement::Part(name, mut body) => {
-                block(&mut body, learned);
+                learned.within(|learned| block(&mut body, learned));
                 new.push(Statement::Part(name, body));
             }
             Statement::Loop { rounds, mut body } => {
-                block(&mut body, learned);
+                learned.forget(&body);
+                learned.within(|learned| block(&mut body, learned));
                 new.push(Statement::Loop { rounds, body });
             }
             Statement::Match(place, mut arms, mut otherwise) => {
                 for (_, body) in &mut arms {
-                    block(body, learned);
+                    learned.within(|learned| block(body, learned));
                 }
-                block(&mut otherwise, learned);
+                learned.within(|learned| block(&mut otherwise, learned));
                 new.push(Statement::Match(place, arms, otherwise));
             }
-            Statement::Set(place, value) => new.push(Statement::Set(place, known(&value, &learned.told))),
+            Statement::Set(place, value) => new.push(Statement::Set(place, known(&value, learned))),
             other => new.push(other),
         }
+        if at < last {
+            learned.forget(&new[before..]);
+        }
+        join(&mut new);
     }
     *statements = new;
+}
+
+/// Two that ask for the same, one after the other, are one.
+fn join(statements: &mut Vec<Statement<'_>>) {
+    let [.., Statement::If(one, first, none), Statement::If(other, ..)] = &statements[..] else { return };
+    let mut is_kept = none.is_empty() && is_pure(one) && same(one, other);
+    if is_kept {
+        each_written(first, &mut |written| is_kept &= !mentions(one, written));
+    }
+    if !is_kept {
+        return;
+    }
+    let Some(Statement::If(_, second, otherwise)) = statements.pop() else { return };
+    if let Some(Statement::If(_, first, none)) = statements.last_mut() {
+        first.push_all(second);
+        none.push_all(otherwise);
+    }
 }
 
 fn branches<'m>(
     condition: &Expr<'m>,
     mut then: Vec<Statement<'m>>,
-    otherwise: Vec<Statement<'m>>,
+    mut otherwise: Vec<Statement<'m>>,
     learned: &mut Learned<'m>,
     new: &mut Vec<Statement<'m>>,
 ) {
-    let condition = known(condition, &learned.told);
+    let condition = known(condition, learned);
     if let Expr::Value(Value::Bool(holds)) = condition {
         let mut body = if holds { then } else { otherwise };
         block(&mut body, learned);
         new.append(&mut body);
         return;
     }
-    under(&mut then, &condition, true, learned);
-    let mut plain = otherwise.clone();
-    under(&mut plain, &condition, false, learned);
-    if same_block(&then, &plain) && is_pure(&condition) {
-        new.append(&mut then);
+    if let Some((part, rest)) = learned.apart(&condition, &otherwise) {
+        let (mut met, mut unmet) = (Vec::new(), otherwise.clone());
+        learned.within(|learned| {
+            learned.learn(&part, true);
+            branches(&rest, then, otherwise, learned, &mut met);
+        });
+        under(&mut unmet, &part, false, learned);
+        new.push(Statement::If(part, met, unmet));
         return;
     }
-    let Some((first, rest)) = first(&condition).filter(|(first, _)| is_asked(&otherwise, first) && learned.may_try())
-    else {
-        new.push(Statement::If(condition, then, plain));
-        return;
-    };
-    let (mut with, mut without) = (otherwise.clone(), otherwise);
-    learned.depth += 1;
-    let before = learned.told.len();
-    learn(&first, true, &mut learned.told);
-    under(&mut with, &rest, false, learned);
-    learned.told.truncate(before);
-    under(&mut without, &first, false, learned);
-    learned.depth -= 1;
-    if differs(&with, &plain) && differs(&without, &plain) && size(&with) + size(&without) <= size(&plain) {
-        new.push(Statement::If(first, vec![Statement::If(rest, then, with)], without));
+    under(&mut then, &condition, true, learned);
+    under(&mut otherwise, &condition, false, learned);
+    if same_block(&then, &otherwise) && is_pure(&condition) {
+        new.append(&mut then);
     } else {
-        new.push(Statement::If(condition, then, plain));
+        new.push(Statement::If(condition, then, otherwise));
     }
 }
 
 /// A body where a condition has been found to hold, or not.
 fn under<'m>(body: &mut Vec<Statement<'m>>, condition: &Expr<'m>, holds: bool, learned: &mut Learned<'m>) {
-    let before = learned.told.len();
-    learn(condition, holds, &mut learned.told);
-    block(body, learned);
-    learned.told.truncate(before);
+    learned.within(|learned| {
+        learned.learn(condition, holds);
+        block(body, learned);
+    });
 }
 
 /// Whether something is asked that a condition tells, holds it or not.
 fn is_asked(statements: &[Statement<'_>], condition: &Expr<'_>) -> bool {
-    let mut told = Vec::new();
-    learn(condition, true, &mut told);
-    learn(condition, false, &mut told);
+    let mut learned = Learned::default();
+    learned.learn(condition, true);
+    learned.learn(condition, false);
     let mut found = false;
-    each_asked(statements, &mut |asked| found |= told.iter().any(|(one, _)| has(asked, one)));
+    each_asked(statements, &mut |asked| found |= learned.told.iter().any(|one| tells_of(one, asked)));
     found
 }
 
-/// Whether it is part of an expression.
-fn has(expr: &Expr<'_>, part: &Expr<'_>) -> bool {
-    same(expr, part)
+/// Whether it tells something of an expression.
+fn tells_of<'m>(told: &Told<'m>, expr: &Expr<'m>) -> bool {
+    told.tells(expr).is_some()
         || match expr {
-            Expr::Not(inner) => has(inner, part),
-            Expr::All(parts) | Expr::Any(parts) => parts.iter().any(|one| has(one, part)),
+            Expr::Not(inner) => tells_of(told, inner),
+            Expr::All(parts) | Expr::Any(parts) => parts.iter().any(|one| tells_of(told, one)),
             _ => false,
         }
 }
@@ -157,61 +304,27 @@ fn each_asked<'m>(statements: &[Statement<'m>], each: &mut dyn FnMut(&Expr<'m>))
     }
 }
 
-fn learn<'m>(condition: &Expr<'m>, holds: bool, told: &mut Told<'m>) {
-    match (condition, holds) {
-        (Expr::Not(inner), _) => learn(inner, !holds, told),
-        (Expr::All(parts), true) | (Expr::Any(parts), false) => parts.iter().for_each(|part| learn(part, holds, told)),
-        _ if is_of_inputs(condition) => told.push((condition.clone(), holds)),
-        _ => {}
-    }
-}
-
 /// What is left of an expression of which something is known.
-fn known<'m>(expr: &Expr<'m>, told: &Told<'m>) -> Expr<'m> {
-    if told.is_empty() {
+fn known<'m>(expr: &Expr<'m>, learned: &Learned<'m>) -> Expr<'m> {
+    if learned.told.is_empty() {
         return expr.clone();
     }
-    if let Some((_, holds)) = told.iter().find(|(other, _)| same(other, expr)) {
-        return if *holds { yes() } else { no() };
+    if let Some(holds) = learned.known().find_map(|told| told.tells(expr)) {
+        return if holds { yes() } else { no() };
     }
     let list = |parts: &[Expr<'m>]| {
         let mut list = Vec::with_capacity(parts.len());
         for part in parts {
-            list.push(known(part, told));
+            list.push(known(part, learned));
         }
         list
     };
     match expr {
-        Expr::Not(inner) => not(known(inner, told)),
+        Expr::Not(inner) => not(known(inner, learned)),
         Expr::All(parts) if is_pure(expr) => all(list(parts)),
         Expr::Any(parts) if is_pure(expr) => any(list(parts)),
         other => other.clone(),
     }
-}
-
-/// The first part of a condition, and the rest.
-fn first<'m>(condition: &Expr<'m>) -> Option<(Expr<'m>, Expr<'m>)> {
-    match condition {
-        Expr::All(parts) => {
-            let (first, rest) = parts.split_first()?;
-            is_of_inputs(first).then(|| (first.clone(), all(rest.to_vec())))
-        }
-        _ => None,
-    }
-}
-
-fn is_of_inputs(expr: &Expr<'_>) -> bool {
-    match expr {
-        Expr::Input(_) => true,
-        Expr::Not(inner) => is_of_inputs(inner),
-        Expr::All(parts) | Expr::Any(parts) => parts.iter().all(is_of_inputs),
-        Expr::User(user) => is_pure(expr) && user.binds.iter().all(|(_, value)| is_of_inputs(value)),
-        _ => false,
-    }
-}
-
-fn differs(a: &[Statement<'_>], b: &[Statement<'_>]) -> bool {
-    size(a) != size(b)
 }
 
 /// How much there is to ask and to do.

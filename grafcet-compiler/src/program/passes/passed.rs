@@ -13,11 +13,19 @@
 //!
 //! Needs: no arm asks for the time once it has begun it anew.
 
+use super::super::build::at_least;
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::uses::{Effects, blocks_mut, is_read_in, replaced, rewrite};
+use super::uses::{Effects, blocks, blocks_mut, is_read_in, replaced, rewrite};
+use super::without_empty;
 
 /// From so many arms on it pays.
 const ARMS: usize = 2;
+
+/// From so many arms on in which it stands still it does so in front of them.
+const BOUNDED: usize = 3;
+
+/// What nothing can be longer than that is compared with a reading of the clock.
+const LONGEST: u32 = 1 << 31;
 
 /// From so many in a match that other ways pass by.
 const INNER_ARMS: usize = 4;
@@ -58,8 +66,18 @@ fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, sinc
     }
     let passed = PlaceId(places.len());
     let time = |expr: &Expr<'_>| is_time(expr, since).then_some(Expr::Place(passed));
-    for (_, body) in arms {
+    for (_, body) in arms.iter_mut() {
         rewrite(body, &mut |expr| replaced(expr, &time));
+    }
+    let bounded = arms.iter().filter(|(_, body)| bounds(body, since)).count();
+    if bounded >= BOUNDED {
+        for (_, body) in arms {
+            without_bounds(body, since);
+            without_empty(body);
+        }
+        let longest = || Expr::Value(Value::Ticks(LONGEST));
+        let back = Statement::Set(since, Expr::Since(Box::new(Expr::Now), Box::new(longest())));
+        block.insert(at, Statement::If(at_least(Expr::Place(passed), longest()), vec![back], Vec::new()));
     }
     let since = Expr::Since(Box::new(Expr::Now), Box::new(Expr::Place(since)));
     block.insert(at, Statement::Set(passed, since));
@@ -70,6 +88,29 @@ fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, sinc
         initial: Initial::Value(Value::Ticks(0)),
         is_field: false,
     });
+}
+
+/// It stands still at the longest time that a step asks for.
+fn is_bound(statement: &Statement<'_>, since: PlaceId) -> bool {
+    match statement {
+        Statement::Set(place, Expr::Since(now, longest)) => {
+            *place == since && matches!((&**now, &**longest), (Expr::Now, Expr::Value(Value::Ticks(_))))
+        }
+        _ => false,
+    }
+}
+
+fn bounds(body: &[Statement<'_>], since: PlaceId) -> bool {
+    body.iter().any(|one| is_bound(one, since) || blocks(one).iter().any(|block| bounds(block, since)))
+}
+
+fn without_bounds(body: &mut Vec<Statement<'_>>, since: PlaceId) {
+    body.retain(|one| !is_bound(one, since));
+    for statement in body.iter_mut() {
+        for block in blocks_mut(statement) {
+            without_bounds(block, since);
+        }
+    }
 }
 
 fn is_time(expr: &Expr<'_>, since: PlaceId) -> bool {

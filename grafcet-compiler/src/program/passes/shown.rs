@@ -9,11 +9,24 @@
 //!   else: lamp = memory
 //! ```
 //!
-//! Needs: several regions (of one, `join` finds out by the state); nothing asks for the output within the cycle; on each way it ends with the value of the field.
+//! So is an output that is more in some states: that part of it alone is set there.
+//!
+//! ```text
+//! match state                          match state
+//!   A: lamp = memory || 2s are over      A: lamp = 2s are over
+//!   B:                                   B: memory = true
+//!     memory = true               ->   lamp = lamp || memory
+//!     lamp = true
+//!   else: lamp = memory
+//! ```
+//!
+//! Needs: several regions (of one, `join` finds out by the state); nothing asks for the output within the cycle; on each way it ends with the value of the field, or is
+//! set at most once, to true, to more than the field, or to anything where the field is false.
 
+use super::super::build::{any, yes};
 use super::super::{Expr, PlaceId, Program, Role, Statement, Value};
 use super::fold::initial;
-use super::uses::{Effects, blocks, mentions, unset, writes_to};
+use super::uses::{Effects, blocks, blocks_mut, is_plain, mentions, unset, writes_to};
 
 /// From so many places that set it on it pays.
 const PLACES: usize = 3;
@@ -28,12 +41,71 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let mut pairs = Vec::new();
     find(program, &program.cycle, &mut pairs);
     for (output, field) in pairs {
-        let shown = Shown { program, output, field };
-        if count(&program.cycle, output) >= PLACES && shown.always() {
+        if count(&program.cycle, output) < PLACES {
+            continue;
+        }
+        let mut shown = Shown { program, output, field, in_part: false };
+        if shown.always() {
             unset(&mut program.cycle, output);
             program.cycle.push(Statement::Set(output, Expr::Place(field)));
+            continue;
+        }
+        shown.in_part = true;
+        if shown.always() {
+            let before = count(&program.cycle, output);
+            let mut cycle = program.cycle.clone();
+            keep_more(&mut cycle, output, field);
+            if count(&cycle, output) + PLACES <= before {
+                cycle.push(Statement::If(Expr::Place(field), vec![Statement::Set(output, yes())], Vec::new()));
+                program.cycle = cycle;
+            }
         }
     }
+}
+
+/// What an output is without the field.
+fn keep_more(statements: &mut Vec<Statement<'_>>, output: PlaceId, field: PlaceId) {
+    let mut new = Vec::with_capacity(statements.len());
+    for at in 0..statements.len() {
+        if !is_told(&statements[..=at], output, field) {
+            new.push(statements[at].clone());
+        }
+    }
+    for statement in &mut new {
+        if let Statement::Set(place, value) = statement {
+            if let (true, Some(more)) = (*place == output, more_than(value, field)) {
+                *value = more;
+            }
+        }
+        for block in blocks_mut(statement) {
+            keep_more(block, output, field);
+        }
+    }
+    *statements = new;
+}
+
+/// Whether the last of these statements sets the output to what the field is known to hold.
+fn is_told(statements: &[Statement<'_>], output: PlaceId, field: PlaceId) -> bool {
+    let Some((Statement::Set(place, value), before)) = statements.split_last() else { return false };
+    let sets_it = |one: &&Statement<'_>| writes_to(one, field);
+    *place == output
+        && match value {
+            Expr::Place(from) => *from == field,
+            Expr::Value(Value::Bool(true)) => {
+                let last = before.iter().rev().find(sets_it);
+                matches!(last, Some(Statement::Set(to, Expr::Value(Value::Bool(true)))) if *to == field)
+            }
+            _ => false,
+        }
+}
+
+/// Of a field or something else, what else.
+fn more_than<'m>(value: &Expr<'m>, field: PlaceId) -> Option<Expr<'m>> {
+    let Expr::Any(parts) = value else { return None };
+    let is_field = |part: &Expr<'m>| matches!(part, Expr::Place(place) if *place == field);
+    let mut rest = parts.clone();
+    rest.retain(|part| !is_field(part));
+    (rest.len() < parts.len() && rest.iter().all(is_plain)).then(|| any(rest))
 }
 
 /// Outputs, and the fields that they are set from.
@@ -67,9 +139,11 @@ fn count(statements: &[Statement<'_>], output: PlaceId) -> usize {
 #[derive(Clone, Copy, PartialEq)]
 enum Holds {
     Is(Value),
-    /// The output: what the field holds. The field: what it held when the cycle began.
+    /// The output: what the field holds, or more. The field: what it held when the cycle began.
     Same,
     Something,
+    /// What the field held once, or more.
+    Stale,
 }
 
 /// What they hold up to here on a way: the output, and the field.
@@ -82,26 +156,38 @@ struct Shown<'p, 'm> {
     program: &'p Program<'m>,
     output: PlaceId,
     field: PlaceId,
+    /// It may be more than the field.
+    in_part: bool,
 }
 
 impl<'m> Shown<'_, 'm> {
-    /// Whether each way ends with the value of the field.
+    /// Whether each way ends with the value of the field, or with what is set on it beside that.
     fn always(&self) -> bool {
         let Some(begins) = initial(&self.program.places[self.output.0]) else { return false };
         let Some(ways) = self.block(&self.program.cycle, vec![(Holds::Is(begins), Holds::Same)], &Vec::new()) else {
             return false;
         };
+        let is_off = Holds::Is(Value::Bool(false));
+        if self.in_part && begins != Value::Bool(false) {
+            return false;
+        }
         ways.iter().all(|(output, field)| match output {
+            Holds::Is(Value::Bool(true)) if self.in_part => true,
             Holds::Is(_) => output == field,
             Holds::Same => true,
-            Holds::Something => false,
+            Holds::Something => self.in_part && *field == is_off,
+            Holds::Stale => false,
         })
     }
 
     /// None where something asks for the output, or too much can be. `out` are states that cannot be there.
     fn block(&self, statements: &[Statement<'m>], mut ways: Vec<HeldPair>, out: &Out) -> Option<Vec<HeldPair>> {
         let mut out = out.clone();
-        for statement in statements {
+        for (at, statement) in statements.iter().enumerate() {
+            if self.in_part && is_told(&statements[..=at], self.output, self.field) {
+                ways = each(ways, &|way| self.shows(way, Holds::Same));
+                continue;
+            }
             ways = self.after(statement, ways, &out)?;
             out.retain(|(place, value)| !may_put(statement, *place, *value));
             if ways.len() > MOST {
@@ -160,6 +246,7 @@ impl<'m> Shown<'_, 'm> {
         }
         let holds = match value {
             Expr::Value(value) => Holds::Is(*value),
+            _ if self.in_part && more_than(value, self.field).is_some() => Holds::Same,
             Expr::Place(from) if *from == self.field => {
                 if let Holds::Is(_) = field {
                     field
@@ -169,7 +256,13 @@ impl<'m> Shown<'_, 'm> {
             }
             _ => Holds::Something,
         };
-        (holds, field)
+        self.shows((output, field), holds)
+    }
+
+    /// The output is set. What stays of it where that is more than the field is set once.
+    fn shows(&self, (output, field): HeldPair, holds: Holds) -> HeldPair {
+        let is_set = self.in_part && output != Holds::Is(Value::Bool(false));
+        (if is_set { Holds::Stale } else { holds }, field)
     }
 
     /// The first cycle begins with the field's initial value.
@@ -200,7 +293,7 @@ fn may_put(statement: &Statement<'_>, place: PlaceId, value: Value) -> bool {
 
 /// The field has been written.
 fn written((output, _): HeldPair, field: Holds) -> HeldPair {
-    (if output == Holds::Same { Holds::Something } else { output }, field)
+    (if output == Holds::Same { Holds::Stale } else { output }, field)
 }
 
 fn each(ways: Vec<HeldPair>, new: &dyn Fn(HeldPair) -> HeldPair) -> Vec<HeldPair> {

@@ -14,6 +14,7 @@ use grafcet_conformance::program::{Outcome, compare, program as optimised, sleep
 use grafcet_conformance::reader;
 
 use super::forks::WASH;
+use super::kept::doors;
 use super::regions::{BOXES, CELL, PLANT};
 use super::{read, recorded};
 /// A small chart for each pass: its program in front of it and after it, as pseudo-code.
@@ -64,6 +65,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Before, &kettle),
         (Pass::Shown, stored),
         (Pass::Begun, CELL),
+        (Pass::Anew, &doors("q;", "S door;")),
         (Pass::Dead, lamp),
         (Pass::Once, drum),
         (Pass::Store, lamp),

@@ -1,0 +1,357 @@
+//! What a field is known to hold is not stored in it once more.
+//!
+//! ```text
+//! match state                                     match state
+//!   Wait:                                           Wait:
+//!     if go:                                          if go:
+//!       state = Run                                     state = Run
+//!       belt = true                        ->           belt = true
+//!   Run:                                            Run:
+//!     if 300ms are over: state = Out                  if 300ms are over: state = Out
+//!     else: belt = true
+//! ```
+//!
+//! For each region: what the fields hold where a cycle begins in one of its states, from the first cycle on, whatever the other regions do.
+//!
+//! Needs: several regions (of one, `split` knows that); states are entered by the ways of the cycle alone.
+
+use std::cell::{Cell, RefCell};
+
+use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
+use super::fold::initial;
+use super::uses::{blocks_mut, each_written};
+use super::without_empty;
+use crate::list::List;
+use crate::sorted::Map;
+
+/// So many statements are looked at for each region.
+const EFFORT: usize = 50_000;
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    if program.regions.len() < 2 {
+        return;
+    }
+    for region in 0..program.regions.len() {
+        let Some(again) = Anew::of(program, region).and_then(Anew::again) else { continue };
+        let mut cycle = std::mem::take(&mut program.cycle);
+        sweep(&mut cycle, &again);
+        without_empty(&mut cycle);
+        program.cycle = cycle;
+    }
+}
+
+/// Takes away the statements of which it is true that they store what is there.
+fn sweep(statements: &mut Vec<Statement<'_>>, again: &Map<usize, bool>) {
+    let kept: Vec<bool> = statements.iter().map(|one| again.get(&address(one)) != Some(&true)).list();
+    for block in statements.iter_mut().flat_map(blocks_mut) {
+        sweep(block, again);
+    }
+    let mut kept = kept.into_iter();
+    statements.retain(|_| kept.next().unwrap_or(true));
+}
+
+/// Which statement of a cycle it is.
+fn address(statement: &Statement<'_>) -> usize {
+    std::ptr::from_ref(statement).addr()
+}
+
+/// What is known somewhere in a cycle.
+#[derive(Clone)]
+struct Way {
+    /// The state of the region, and copies of it.
+    states: Vec<(PlaceId, Value)>,
+    /// By field, `None` where it may hold anything.
+    holds: Vec<Option<Value>>,
+}
+
+impl Way {
+    fn state(&self, place: PlaceId) -> Option<Value> {
+        self.states.iter().find(|(of, _)| *of == place).map(|(_, value)| *value)
+    }
+
+    fn put(&mut self, place: PlaceId, value: Option<Value>) {
+        self.states.retain(|(of, _)| *of != place);
+        if let Some(value) = value {
+            let at = self.states.partition_point(|(of, _)| *of < place);
+            self.states.insert(at, (place, value));
+        }
+    }
+
+    /// Holds as well where another one does. Whether it does so less than before.
+    fn join(&mut self, other: &Self) -> bool {
+        let mut less = false;
+        for (one, other) in self.holds.iter_mut().zip(&other.holds) {
+            if one.is_some() && one != other {
+                *one = None;
+                less = true;
+            }
+        }
+        less
+    }
+}
+
+/// Ways with different states.
+type Ways = Vec<Way>;
+
+struct Anew<'p, 'm> {
+    program: &'p Program<'m>,
+    region: usize,
+    state: PlaceId,
+    fields: Vec<PlaceId>,
+    /// By statement that stores a constant, whether that has been there on each way. Empty until all is known.
+    again: RefCell<Map<usize, bool>>,
+    is_noted: Cell<bool>,
+    /// What leaves each loop around.
+    left: RefCell<Vec<Ways>>,
+    effort: Cell<usize>,
+}
+
+impl<'p, 'm> Anew<'p, 'm> {
+    fn of(program: &'p Program<'m>, region: usize) -> Option<Self> {
+        let state = program.place(Role::State(region))?;
+        let mut fields = Vec::new();
+        for (index, place) in program.places.iter().enumerate() {
+            if place.is_field && is_own(place.role) && stores(&program.cycle, PlaceId(index)) {
+                fields.push(PlaceId(index));
+            }
+        }
+        let (again, left) = (RefCell::default(), RefCell::default());
+        let (is_noted, effort) = (Cell::new(false), Cell::new(EFFORT));
+        (!fields.is_empty()).then_some(Self { program, region, state, fields, again, is_noted, left, effort })
+    }
+
+    /// Which statements store what is there, if that can be found out.
+    fn again(self) -> Option<Map<usize, bool>> {
+        let Initial::Value(begins) = self.program.places[self.state.0].initial else { return None };
+        let holds = self.fields.iter().map(|field| initial(&self.program.places[field.0])).list();
+        let mut all = vec![Way { states: vec![(self.state, begins)], holds }];
+        let mut open = vec![0];
+        while let Some(at) = open.pop() {
+            for end in self.block(&self.program.cycle, vec![all[at].clone()])? {
+                let state = end.state(self.state)?;
+                match all.iter().position(|way| way.state(self.state) == Some(state)) {
+                    Some(at) => {
+                        if all[at].join(&end) && !open.contains(&at) {
+                            open.push(at);
+                        }
+                    }
+                    None => {
+                        open.push(all.len());
+                        all.push(Way { states: vec![(self.state, state)], holds: end.holds });
+                    }
+                }
+            }
+        }
+        self.is_noted.set(true);
+        for way in all {
+            self.block(&self.program.cycle, vec![way])?;
+        }
+        Some(self.again.take())
+    }
+
+    /// None where the state of the region is not known after it, or it takes too long.
+    fn block(&self, statements: &[Statement<'m>], mut ways: Ways) -> Option<Ways> {
+        for statement in statements {
+            if ways.is_empty() {
+                break;
+            }
+            self.effort.set(self.effort.get().checked_sub(ways.len())?);
+            ways = self.after(statement, ways)?;
+        }
+        Some(ways)
+    }
+
+    fn after(&self, statement: &Statement<'m>, mut ways: Ways) -> Option<Ways> {
+        match statement {
+            Statement::Part(_, body) => return self.block(body, ways),
+            Statement::Set(place, value) => {
+                for way in &mut ways {
+                    self.set(statement, (*place, value), way)?;
+                }
+            }
+            Statement::If(condition, then, otherwise) => {
+                let may_be = |truth: bool, way: &&Way| self.holds(condition, way) != Some(!truth);
+                let met = ways.iter().filter(|way| may_be(true, way)).cloned().list();
+                let unmet = ways.iter().filter(|way| may_be(false, way)).cloned().list();
+                return Some(merged(self.block(then, met)?, self.block(otherwise, unmet)?));
+            }
+            Statement::Match(place, arms, otherwise) => return self.arms(*place, arms, otherwise, &ways),
+            Statement::Loop { body, .. } => return self.rounds(body, ways),
+            Statement::Break => {
+                let mut left = self.left.borrow_mut();
+                let around = left.last_mut()?;
+                *around = merged(std::mem::take(around), ways);
+                return Some(Vec::new());
+            }
+            other => {
+                for way in &mut ways {
+                    each_written(std::slice::from_ref(other), &mut |place| self.forget(place, way));
+                    way.state(self.state)?;
+                }
+            }
+        }
+        Some(merged(Vec::new(), ways))
+    }
+
+    fn set(&self, statement: &Statement<'m>, (place, value): (PlaceId, &Expr<'m>), way: &mut Way) -> Option<()> {
+        let known = match value {
+            Expr::Value(value) => Some(*value),
+            Expr::Place(from) => self.value(*from, way),
+            _ => None,
+        };
+        if let Some(at) = self.fields.iter().position(|field| *field == place) {
+            if self.is_noted.get() && matches!(value, Expr::Value(_)) {
+                let is_there = known == way.holds[at];
+                let mut again = self.again.borrow_mut();
+                *again.or_insert_with(address(statement), || true) &= is_there;
+            }
+            way.holds[at] = known;
+        } else if matches!(self.program.places[place.0].ty, Type::State(region) if region == self.region) {
+            way.put(place, known);
+        }
+        way.state(self.state).map(|_| ())
+    }
+
+    fn arms(
+        &self,
+        place: PlaceId,
+        arms: &[(Vec<Value>, Vec<Statement<'m>>)],
+        otherwise: &[Statement<'m>],
+        ways: &[Way],
+    ) -> Option<Ways> {
+        let is_state = matches!(self.program.places[place.0].ty, Type::State(region) if region == self.region);
+        let mut all = Vec::new();
+        for (values, body) in arms {
+            let mut here = Vec::new();
+            for way in ways {
+                match self.value(place, way) {
+                    Some(value) if values.contains(&value) => here.push(way.clone()),
+                    Some(_) => {}
+                    None => {
+                        let mut way = way.clone();
+                        if let (true, [value]) = (is_state, &values[..]) {
+                            way.put(place, Some(*value));
+                        }
+                        here.push(way);
+                    }
+                }
+            }
+            all = merged(all, self.block(body, merged(Vec::new(), here))?);
+        }
+        let is_other = |way: &&Way| {
+            self.value(place, way).is_none_or(|value| !arms.iter().any(|(values, _)| values.contains(&value)))
+        };
+        let other = ways.iter().filter(is_other).cloned().list();
+        Some(merged(all, self.block(otherwise, other)?))
+    }
+
+    /// Until another round brings nothing new.
+    fn rounds(&self, body: &[Statement<'m>], ways: Ways) -> Option<Ways> {
+        self.left.borrow_mut().push(Vec::new());
+        let mut begins = ways;
+        let mut all = begins.clone();
+        while !begins.is_empty() {
+            let mut new = Vec::new();
+            for end in self.block(body, begins)? {
+                match all.iter_mut().find(|way| way.states == end.states) {
+                    Some(way) => {
+                        if way.join(&end) {
+                            new.push(way.clone());
+                        }
+                    }
+                    None => {
+                        all.push(end.clone());
+                        new.push(end);
+                    }
+                }
+            }
+            begins = new;
+        }
+        let left = self.left.borrow_mut().pop().unwrap_or_default();
+        Some(merged(all, left))
+    }
+
+    fn forget(&self, place: PlaceId, way: &mut Way) {
+        way.put(place, None);
+        if let Some(at) = self.fields.iter().position(|field| *field == place) {
+            way.holds[at] = None;
+        }
+    }
+
+    fn value(&self, place: PlaceId, way: &Way) -> Option<Value> {
+        let at = self.fields.iter().position(|field| *field == place);
+        at.and_then(|at| way.holds[at]).or_else(|| way.state(place))
+    }
+
+    /// Whether a condition holds, if that is known.
+    fn holds(&self, condition: &Expr<'m>, way: &Way) -> Option<bool> {
+        let truth = |value: Value| if let Value::Bool(truth) = value { Some(truth) } else { None };
+        // The first that says so, else whether all say the opposite.
+        let one = |parts: &[Expr<'m>], wanted: bool| {
+            let mut each = Some(!wanted);
+            for part in parts {
+                match self.holds(part, way) {
+                    Some(holds) if holds == wanted => return Some(wanted),
+                    Some(_) => {}
+                    None => each = None,
+                }
+            }
+            each
+        };
+        match condition {
+            Expr::Value(value) => truth(*value),
+            Expr::Place(place) => self.value(*place, way).and_then(truth),
+            Expr::Is(place, steps) => {
+                let value = self.value(*place, way)?;
+                Some(matches!(value, Value::Step(Some(step)) if steps.contains(&step)))
+            }
+            Expr::Not(inner) => self.holds(inner, way).map(|holds| !holds),
+            Expr::All(parts) => one(parts, false),
+            Expr::Any(parts) => one(parts, true),
+            Expr::Compare(comparison, a, b) => {
+                let (Expr::Place(a), Expr::Place(b)) = (&**a, &**b) else { return None };
+                let same = self.value(*a, way)? == self.value(*b, way)?;
+                match comparison {
+                    Comparison::Equal => Some(same),
+                    Comparison::Differs => Some(!same),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+}
+
+/// What nobody but the cycle writes, and what somebody looks at other than the deadline.
+fn is_own(role: Role) -> bool {
+    matches!(
+        role,
+        Role::FlipFlop(..)
+            | Role::Output(_)
+            | Role::Var(_)
+            | Role::SetBy(..)
+            | Role::TimerInput(..)
+            | Role::Active(_)
+            | Role::Held(_)
+            | Role::Acted(_)
+    )
+}
+
+/// Whether some statement stores a constant in a place.
+fn stores(statements: &[Statement<'_>], place: PlaceId) -> bool {
+    statements.iter().any(|one| match one {
+        Statement::Set(to, Expr::Value(_)) => *to == place,
+        other => super::uses::blocks(other).into_iter().any(|block| stores(block, place)),
+    })
+}
+
+/// Ways with the same states are one, of which is known what is known of both.
+fn merged(mut all: Ways, ways: Ways) -> Ways {
+    for way in ways {
+        match all.iter_mut().find(|one| one.states == way.states) {
+            Some(one) => _ = one.join(&way),
+            None => all.push(way),
+        }
+    }
+    all
+}

@@ -1,0 +1,119 @@
+//! What is asked once, and what is stored once: as a person reads it, and beside the interpreter.
+
+use std::fmt::Write as _;
+
+use grafcet_compiler::program::passes::Pass;
+use grafcet_conformance::program::program as optimised;
+
+use super::passes::{each_left_out, storm};
+use super::read;
+
+/// After all passes.
+fn text(chart: &str) -> String {
+    optimised(&read(chart), &Pass::ALL).expect("a program").to_string()
+}
+
+/// A time, a variable or a state is the same until somebody writes it, so two conditions that share it ask for it once; what a step has changed is asked for anew.
+#[test]
+fn what_has_been_asked_is_not_asked_again_until_it_changes() {
+    let chart = "sfc Lots { input a, b: bool; output p, q: bool; var n: u8 = 0; initial step Wait { p; } step Fill { P1 n = n % 5 + 1; q if n < 3; } step Rest; \
+         Wait -[a && n < 3]-> Fill; Wait -[b && n < 3]-> Rest; Fill -[!a && 4ms/Fill]-> Wait; Rest -[a && 3ms/Rest]-> Fill; Rest -[b && 3ms/Rest]-> Wait; }";
+    let program = text(chart);
+    let cycle = program.split("deadline").next().unwrap_or_default();
+    assert_eq!(cycle.matches(">= 3ms").count(), 1, "{program}");
+    // What led into the step has asked it, before the step counts.
+    assert!(program.contains("on.Fill.2 = true"), "{program}");
+    let branches = chart.replacen(
+        "Wait -[a && n",
+        "step Go; step C; step D; Rest -[a && b]-> (Go, C); C -[a && n < 3]-> D; (Go, D) -[!a && n < 3]-> Rest; Wait -[a && n",
+        1,
+    );
+    for dialect in ["sfc", "grafcet"] {
+        for chart in [chart, &branches] {
+            each_left_out(&read(&chart.replacen("sfc", dialect, 1)), &storm(&["a", "b"], 300), 150);
+        }
+    }
+}
+
+/// A condition that guards another one against a panic stays in front of it.
+#[test]
+fn what_may_panic_is_not_asked_first() {
+    let chart = "sfc Guard { input n: u8; input a: bool; output p: bool; initial step Wait; step Run { p; } step Out; \
+         Wait -[a && 100 / n > 4]-> Run; Wait -[100 / n > 4 && !a]-> Out; Run -[true]-> Wait; Out -[true]-> Wait; }";
+    let program = text(chart);
+    let (first, second) = (program.find("start && a").or(program.find("if a")), program.find("100 / n"));
+    assert!(first.is_some() && first < second, "{program}");
+}
+
+/// What goes on for longer than anybody asks is kept from wrapping around in one place, if several steps wait so.
+#[test]
+fn a_time_that_is_over_stays_over_for_any_length_of_time() {
+    let chart = "sfc Long { input a, b: bool; output p, q, r: bool; initial step One { p; } step Two { q; } step Three { r; } step Four { L 9ms p; } \
+         One -[a && 5ms/One]-> Two -[b && 7ms/Two]-> Three -[a && b && 6ms/Three]-> Four -[!a && 4ms/Four]-> One; }";
+    assert!(text(chart).contains("  if passed >= 2147483648ms: since = since(now, 2147483648ms)"), "{}", text(chart));
+    let mut lines = "---\n---\n".to_owned();
+    let mut now = u32::MAX - 3;
+    // Each step waits for four cycles that are as long as a cycle may be, twice around the clock.
+    for inputs in ["", "a ", "a b ", "b ", ""].into_iter().cycle().take(40) {
+        for long in [5, 0x7fff_ffff, 0x7fff_ffff, 0x7fff_fff0, 0x7fff_ffff, 1] {
+            _ = writeln!(lines, "@{now} | |");
+            now = now.wrapping_add(long);
+        }
+        _ = writeln!(lines, "{inputs}@{now} | |");
+    }
+    for dialect in ["sfc", "grafcet"] {
+        let model = read(&chart.replacen("sfc", dialect, 1));
+        each_left_out(&model, &lines, 0);
+        each_left_out(&model, &storm(&["a", "b"], 300), 150);
+    }
+}
+
+/// An output that its memory tells, and a time beside that, is set once from the memory; where something else may say that it is off, it is not.
+#[test]
+fn an_output_that_is_more_than_its_memory_is_set_from_it_once() {
+    let chart = |more: &str| {
+        format!(
+            "sfc Belts {{ input a, b, c: bool; output belt, p, q: bool; initial step Idle {{ R belt; p; }} step Warm {{ D 5ms belt; }} step Move {{ S belt; }} step Down {{ {more} }} \
+             step Heat {{ q; }} step Hot; Idle -[a]-> Warm -[b && 7ms/Warm]-> (Move, Heat); Move -[c]-> Down; Heat -[!b]-> Hot; (Down, Hot) -[a || c]-> Idle; }}"
+        )
+    };
+    for (more, shown) in [("", true), ("belt if b;", true), ("R belt; belt if !c;", true)] {
+        let program = text(&chart(more));
+        assert_eq!(program.contains("  if S_FF.belt: belt = true"), shown, "{more}: {program}");
+        for dialect in ["sfc", "grafcet"] {
+            each_left_out(&read(&chart(more).replacen("sfc", dialect, 1)), &storm(&["a", "b", "c"], 300), 150);
+        }
+    }
+}
+
+/// A door that one branch opens and shuts.
+pub(super) fn doors(heat: &str, act: &str) -> String {
+    format!(
+        "sfc Doors {{ input a, b, c: bool; output door, p, q: bool; var n: u8 = 0; initial step Idle {{ R door; p if rising(c); }} step Open {{ {act} }} step Shut {{ P1 n = n % 9 + 1; }} \
+         step Heat {{ {heat} }} step Hot; Idle -[a]-> (Open, Heat); Idle -[b && !a]-> (Shut, Heat); Open -[b && 3ms/Open]-> Shut; Shut -[!b && 4ms/Shut]-> Open; Heat -[falling(c)]-> Hot; \
+         (Shut, Hot) -[!a]-> Idle; }}"
+    )
+}
+
+/// What a step has stored when it was entered it does not store in each cycle, unless another branch may have changed it, or a condition asks first.
+#[test]
+fn what_a_field_holds_is_not_stored_anew() {
+    let stored = |text: &str| text.matches("S_FF.door = ").count();
+    let model = read(&doors("q;", "S door;"));
+    let mut without = Pass::ALL.to_vec();
+    without.retain(|pass| *pass != Pass::Anew);
+    let [all, before] =
+        [&Pass::ALL[..], &without].map(|passes| optimised(&model, passes).expect("a program").to_string());
+    assert!(stored(&all) < stored(&before), "{all}");
+    for (heat, act) in [
+        ("q;", "S door;"),
+        ("q; S door if b;", "S door;"),
+        ("q; R door if b;", "S door;"),
+        ("q;", "S door if c;"),
+        ("S door; q = door;", "R door if b;"),
+    ] {
+        for dialect in ["sfc", "grafcet"] {
+            each_left_out(&read(&doors(heat, act).replacen("sfc", dialect, 1)), &storm(&["a", "b", "c"], 300), 150);
+        }
+    }
+}
