@@ -2,7 +2,7 @@
 
 use crate::held::Held;
 use crate::list::List;
-use crate::model::AssociationId;
+use crate::model::{AssociationId, Blinker, Read, StepId};
 use crate::program::{Program, Role};
 
 /// What a place of a program holds; none of what does not outlive a cycle, or is no part of what a chart does.
@@ -21,7 +21,7 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
         }
         Role::Time(region) | Role::Began(region) => Held::Time(steps(region)),
         Role::MacroTime(id) | Role::MacroBegan(id) => Held::MacroTime(id),
-        Role::Phase { region, period } => Held::Phase(steps(region), period),
+        Role::Phase { region, period } => Held::Phase(blinking(program, region, period), period),
         Role::MacroPhase { of, period } => Held::MacroPhase(of, period),
         Role::Edge(id) => Held::Edge(id),
         Role::ActionEdge(id) => Held::ActionEdge(id),
@@ -39,4 +39,19 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
         Role::Acted(of) => Held::Acted(of, all()),
         Role::Held(of) => Held::KeptBy(of),
     })
+}
+
+/// The steps of a region that blink with a period: beside others its phase means nothing.
+fn blinking(program: &Program<'_>, region: usize, period: u32) -> Vec<StepId> {
+    let mut steps = program.regions[region].clone();
+    let reads = program.model.expressions().concat();
+    let blinks = |step: &StepId| {
+        let has = |read: &Read| match read {
+            Read::Blink(blink) => blink.of == Blinker::Step(*step) && blink.period() == period,
+            _ => false,
+        };
+        reads.iter().any(has)
+    };
+    steps.retain(blinks);
+    steps
 }

@@ -194,7 +194,9 @@ impl<'m> Lower<'_, 'm> {
 
     fn count_phase(&mut self, blink: Blink) {
         let (period, role) = (blink.period(), self.phase_role(blink));
-        if self.phases.iter().any(|phase| phase.role == role) {
+        let step = if let Blinker::Step(step) = blink.of { Some(step) } else { None };
+        if let Some(phases) = self.phases.iter_mut().find(|phases| phases.role == role) {
+            phases.steps.extend(step.filter(|step| !phases.steps.contains(step)));
             return;
         }
         let name = match blink.of {
@@ -203,7 +205,7 @@ impl<'m> Lower<'_, 'm> {
         };
         let phase = self.field(format!("phase.{name}.{period}"), role, Type::Ticks, time());
         let reached = self.local(format!("reached.phase.{name}.{period}"), Type::Ticks);
-        self.phases.push(Phases { role, period, phase, reached });
+        self.phases.push(Phases { role, period, steps: step.into_iter().list(), phase, reached });
     }
 
     pub(super) fn phase_role(&self, blink: Blink) -> Role {

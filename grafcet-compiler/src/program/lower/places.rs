@@ -27,10 +27,11 @@ pub(super) struct Delays {
 }
 
 /// The phase of something that blinks since the activation of a region's step or of a macro-step.
-#[derive(Clone, Copy)]
 pub(super) struct Phases {
     pub(super) role: Role,
     pub(super) period: u32,
+    /// The steps that blink so: beside others of the region the phase means nothing.
+    pub(super) steps: Vec<StepId>,
     pub(super) phase: PlaceId,
     /// `sfc`: before the evolution.
     pub(super) reached: PlaceId,

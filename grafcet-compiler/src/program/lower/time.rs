@@ -41,7 +41,13 @@ impl<'m> Lower<'_, 'm> {
         for phases in &self.phases {
             let (phase, passed) = (Expr::Place(phases.phase), Expr::Place(elapsed));
             let on = Expr::Period(Box::new(phase), Box::new(passed), phases.period);
-            body.push(Statement::Set(phases.phase, on));
+            let counts = Statement::Set(phases.phase, on);
+            match phases.role {
+                Role::Phase { .. } => {
+                    when(&mut body, any(phases.steps.iter().map(|step| self.is(*step)).list()), vec![counts]);
+                }
+                _ => body.push(counts),
+            }
         }
         body
     }
@@ -65,32 +71,29 @@ impl<'m> Lower<'_, 'm> {
     pub(super) fn begin_times(&self) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         for region in 0..self.state.len() {
-            let counters = self.counters(Role::Time(region), self.time[region]);
-            when(&mut body, self.is_entered(region), counters);
+            if let Some(clock) = self.time[region] {
+                when(&mut body, self.is_entered(region), vec![clock.begin()]);
+            }
         }
         for id in self.model.macros.ids() {
-            let counters = self.counters(Role::MacroTime(id), self.macro_time[id.index()]);
-            if !counters.is_empty() {
-                when(&mut body, self.rises(id), counters);
-            }
-        }
-        body
-    }
-
-    /// The time and the phases of a region or macro-step, set to zero.
-    fn counters(&self, of: Role, time: Option<Clock>) -> Vec<Statement<'m>> {
-        let mut all: Vec<Statement<'m>> = time.into_iter().map(Clock::begin).list();
-        for phases in &self.phases {
-            let same = match (of, phases.role) {
-                (Role::Time(region), Role::Phase { region: other, .. }) => region == other,
-                (Role::MacroTime(id), Role::MacroPhase { of: other, .. }) => id == other,
-                _ => false,
-            };
-            if same {
+            let mut all = self.macro_time[id.index()].into_iter().map(Clock::begin).list();
+            for phases in self.phases.iter().filter(|one| matches!(one.role, Role::MacroPhase { of, .. } if of == id)) {
                 all.push(Statement::Set(phases.phase, zero()));
             }
+            if !all.is_empty() {
+                when(&mut body, self.rises(id), all);
+            }
         }
-        all
+        for phases in &self.phases {
+            let Role::Phase { region, .. } = phases.role else { continue };
+            let is_entered = if self.model.is_grafcet() {
+                all(vec![self.is_entered(region), any(phases.steps.iter().map(|step| self.is(*step)).list())])
+            } else {
+                any(phases.steps.iter().map(|step| Expr::Place(self.entered[step.index()])).list())
+            };
+            when(&mut body, is_entered, vec![Statement::Set(phases.phase, zero())]);
+        }
+        body
     }
 
     /// What goes on beyond the longest time that something compares with stands still there: nobody can tell. So it never wraps. Beside

@@ -18,7 +18,7 @@
 //!
 //! Needs: the deadline asks whether the last cycle has moved, and nothing else asks that; each way that has moved begins the time anew, and no other.
 
-use super::super::build::{all, compare, not};
+use super::super::build::{all, compare, not, zero};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::read_after;
 use super::engine::{End, Fact, Leaf, Tree};
@@ -36,20 +36,57 @@ pub(super) struct Forest<'w, 'm> {
     pub(super) trees: &'w mut [Option<Tree<'m>>],
 }
 
+/// The time of the active step.
+#[derive(Clone, Copy)]
+struct Time {
+    place: PlaceId,
+    /// It is what has passed, not the reading at which it began.
+    is_counted: bool,
+}
+
+impl Time {
+    fn of(program: &Program<'_>) -> Option<Self> {
+        let of = |role, is_counted| program.place(role).map(|place| Self { place, is_counted });
+        of(Role::Began(0), false).or_else(|| of(Role::Time(0), true))
+    }
+
+    fn begin<'m>(self) -> Statement<'m> {
+        Statement::Set(self.place, if self.is_counted { zero() } else { Expr::Now })
+    }
+
+    /// Whether a way begins it, or it is known to have just begun, as in the first cycle.
+    fn is_begun(self, leaf: &Leaf<'_>, fields: &[PlaceId]) -> bool {
+        let at = fields.iter().position(|field| *field == self.place).filter(|_| self.is_counted);
+        let is_new = at.is_some_and(|at| leaf.facts.get(at) == Some(&Fact::Is(Value::Ticks(0))));
+        is_new || leaf.body.iter().any(|one| self.is_begin(one))
+    }
+
+    /// What is counted before it begins is nothing that anybody looks at.
+    fn is_set(self, statement: &Statement<'_>) -> bool {
+        matches!(statement, Statement::Set(place, _) if *place == self.place)
+    }
+
+    fn is_begin(self, statement: &Statement<'_>) -> bool {
+        match statement {
+            Statement::Set(place, Expr::Now) => *place == self.place && !self.is_counted,
+            Statement::Set(place, Expr::Value(Value::Ticks(0))) => *place == self.place && self.is_counted,
+            _ => false,
+        }
+    }
+}
+
 /// What is done in front of the ways, and after them.
 pub(super) type Around<'m> = [Vec<Statement<'m>>; 2];
 
 pub(super) fn pass<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>) -> Around<'m> {
     let nothing = [Vec::new(), Vec::new()];
-    let (Some(settled), Some(since)) = (program.place(Role::Settled), program.place(Role::Began(0))) else {
-        return nothing;
-    };
+    let (Some(settled), Some(time)) = (program.place(Role::Settled), Time::of(program)) else { return nothing };
     let passed = program.place(Role::Passed(0));
     let Some(at) = forest.fields.iter().position(|field| *field == settled) else { return nothing };
     let mut moved = Moved {
         state: forest.state,
         settled,
-        since,
+        time,
         passed,
         at,
         mark: forest.points[0],
@@ -58,7 +95,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>) -
         is_unsure: false,
     };
     if !moved.is_told(forest) {
-        return begun_after(program, forest, since);
+        return begun_after(program, forest, time);
     }
     moved.over = moved.outlasted(forest);
     let begun = moved.begins(program, forest);
@@ -83,7 +120,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>) -
     moved.ask(program, before, begun);
     let (mut front, mut after) = (vec![Statement::Set(before, Expr::Place(forest.state))], Vec::new());
     if begun {
-        let [copy, begins] = where_it_differs(program, forest.state, since);
+        let [copy, begins] = where_it_differs(program, forest.state, time);
         front.insert(0, copy);
         after.push(begins);
     }
@@ -91,23 +128,23 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>) -
 }
 
 /// The same of the time alone, in a `grafcet` of which each cycle ends settled.
-fn begun_after<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>, since: PlaceId) -> Around<'m> {
-    let is_begin = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Now) if *place == since);
+fn begun_after<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>, time: Time) -> Around<'m> {
     let (mut begins, after) = (true, read_after(program));
     for (tree, from) in forest.trees.iter().zip(forest.points) {
         let Some(tree) = tree else { continue };
         each_leaf(tree, &mut |leaf| {
-            begins &= leaf.body.iter().any(is_begin) == (leaf.state != *from);
-            begins &= leaf.state == *from || !asks(&after, leaf, since);
+            begins &= time.is_begun(leaf, forest.fields) == (leaf.state != *from);
+            begins &= leaf.state == *from || !asks(&after, leaf, time.place);
         });
     }
     if !begins {
         return Default::default();
     }
-    for tree in forest.trees.iter_mut().flatten() {
-        tree.each_leaf_mut(&mut |leaf| leaf.body.retain(|one| !is_begin(one)));
+    for (tree, from) in forest.trees.iter_mut().zip(forest.points) {
+        let Some(tree) = tree else { continue };
+        tree.each_leaf_mut(&mut |leaf| leaf.body.retain(|one| leaf.state == *from || !time.is_set(one)));
     }
-    let [copy, begins] = where_it_differs(program, forest.state, since);
+    let [copy, begins] = where_it_differs(program, forest.state, time);
     [vec![copy], vec![begins]]
 }
 
@@ -119,21 +156,20 @@ fn asks(after: &Places, leaf: &Leaf<'_>, since: PlaceId) -> bool {
 }
 
 /// A copy of the state in front, and after the beginning of a time where it differs.
-fn where_it_differs<'m>(program: &mut Program<'m>, state: PlaceId, since: PlaceId) -> [Statement<'m>; 2] {
+fn where_it_differs<'m>(program: &mut Program<'m>, state: PlaceId, time: Time) -> [Statement<'m>; 2] {
     let PlaceInfo { name, initial, .. } = &program.places[state.0];
     let (name, initial) = (format!("was.{name}"), *initial);
     program.places.push(PlaceInfo { name, role: Role::Local, ty: Type::State(0), initial, is_field: false });
     let was = PlaceId(program.places.len() - 1);
     let goes = compare(Comparison::Differs, Expr::Place(was), Expr::Place(state));
-    let begins = vec![Statement::Set(since, Expr::Now)];
-    [Statement::Set(was, Expr::Place(state)), Statement::If(goes, begins, Vec::new())]
+    [Statement::Set(was, Expr::Place(state)), Statement::If(goes, vec![time.begin()], Vec::new())]
 }
 
 /// What the deadline remembers of the cycle.
 struct Moved {
     state: PlaceId,
     settled: PlaceId,
-    since: PlaceId,
+    time: Time,
     passed: Option<PlaceId>,
     /// Where the ways know whether they have settled.
     at: usize,
@@ -222,8 +258,8 @@ impl Moved {
             let Some(tree) = tree else { continue };
             each_leaf(tree, &mut |leaf| {
                 let goes = leaf.state != *from || self.has(leaf, false);
-                begins &= leaf.body.iter().any(|one| self.is_begin(one)) == goes;
-                begins &= !goes || !asks(&after, leaf, self.since);
+                begins &= self.time.is_begun(leaf, forest.fields) == goes;
+                begins &= !goes || !asks(&after, leaf, self.time.place);
             });
         }
         begins
@@ -232,10 +268,6 @@ impl Moved {
     /// Whether a way is known to end settled, or not.
     fn has(&self, leaf: &Leaf<'_>, settled: bool) -> bool {
         leaf.facts.get(self.at) == Some(&Fact::Is(Value::Bool(settled)))
-    }
-
-    fn is_begin(&self, statement: &Statement<'_>) -> bool {
-        matches!(statement, Statement::Set(place, Expr::Now) if *place == self.since)
     }
 
     /// At the end of a way: what stands for "the cycle has moved" where the state does not tell, and for a time that is over.
@@ -256,7 +288,7 @@ impl Moved {
                         body.push(Statement::If(value, vec![mark], Vec::new()));
                     }
                 }
-                statement if begun && self.is_begin(&statement) => {}
+                statement if begun && self.time.is_set(&statement) => {}
                 statement => body.push(statement),
             }
         }
@@ -290,10 +322,11 @@ impl Moved {
         };
         // Where nothing else is due at once, the last cycle has begun the time.
         if begun
+            && !self.time.is_counted
             && !self.is_unsure
             && matches!(&deadline.at_once, Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == self.settled))
         {
-            deadline.reading = Expr::Place(self.since);
+            deadline.reading = Expr::Place(self.time.place);
         }
         deadline.at_once = replaced(&deadline.at_once, &leaf);
         for wait in &mut deadline.waits {

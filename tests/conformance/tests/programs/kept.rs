@@ -117,3 +117,41 @@ fn what_a_field_holds_is_not_stored_anew() {
         }
     }
 }
+
+/// A time that is counted, as one that is compared with a parameter, begins after the ways where the state differs, and that tells whether the cycle has moved, too.
+#[test]
+fn a_counted_time_begins_where_the_state_differs() {
+    let chart = "sfc Dose { param soak: time = 6ms; input a, b: bool; output p, q: bool; initial step Idle { q if rising(b); } step Fill { p; } step Soak { D 3ms q; P0 p = false; } \
+         Idle -[a]-> Fill; Fill -[b && 4ms/Fill]-> Soak; Fill -[!a]-> Idle; Soak -[soak/Soak && !b]-> Idle; Soak -[a && b && 9ms/Soak]-> Soak; }";
+    let simple = chart.replacen("P0 p = false; ", "", 1).replacen(" Soak -[a && b && 9ms/Soak]-> Soak;", "", 1);
+    let program = text(&simple);
+    assert!(program.contains("  if was.state != state: time = 0s"), "{program}");
+    assert!(!program.contains("settled"), "{program}");
+    // A step that is left at once: what it has counted until then is nothing.
+    let late = "sfc Late { param p: time = 1ms; input a, b: bool; output q: bool; initial step S1; step S2; step S4 within p; step S6 { q; } S1 -[b]-> S2; S2 -[true]-> S4; S4 -[S4.X]-> S6; S6 -[a]-> S1; }";
+    for chart in [chart, &simple, late] {
+        for dialect in ["sfc", "grafcet"] {
+            each_left_out(&read(&chart.replacen("sfc", dialect, 1)), &storm(&["a", "b"], 300), 150);
+        }
+    }
+}
+
+/// How far a period is concerns the steps that blink so; it is counted and begun there alone.
+#[test]
+fn a_period_is_counted_where_something_blinks() {
+    let chart = "sfc Lamp { input a, b: bool; output p, q: bool; initial step Idle; step Warn { p if blink(2ms/3ms); } step Alarm { q if blink(2ms/3ms); p; } step Rest; \
+         Idle -[a]-> Warn -[b && 6ms/Warn]-> Alarm -[!b]-> Rest -[7ms/Rest || a]-> Idle; Warn -[!a && !b]-> Warn; Alarm -[b && 9ms/Alarm]-> Warn; }";
+    let program = text(chart);
+    let cycle = program.split("deadline").next().unwrap_or_default();
+    assert_eq!(cycle.matches("period(").count(), 2, "{program}");
+    let inside = chart.replacen(
+        "step Alarm {",
+        "step Beside { p if blink(1ms/4ms); } step After; Rest -[a && b]-> (Alarm, Beside); Beside -[a]-> After -[b]-> Beside; step Alarm {",
+        1,
+    );
+    for chart in [chart, &inside] {
+        for dialect in ["sfc", "grafcet"] {
+            each_left_out(&read(&chart.replacen("sfc", dialect, 1)), &storm(&["a", "b"], 300), 150);
+        }
+    }
+}
