@@ -150,24 +150,30 @@ impl BranchesInTurn {
                         let mut entered_mix_: bool = false;
                         let mut any_119__: bool = false;
                         any_120__ = false;
-                        match self.region_0 {
-                            __BranchesInTurnRegion0::Fill => {
-                                if inputs_.stop {
-                                    any_120__ = true;
-                                    self.region_0 = __BranchesInTurnRegion0::NONE;
-                                } else {
+                        if inputs_.stop
+                            && core::matches!(
+                                self.region_0, __BranchesInTurnRegion0::Fill |
+                                __BranchesInTurnRegion0::Filled |
+                                __BranchesInTurnRegion0::Rest |
+                                __BranchesInTurnRegion0::Rested |
+                                __BranchesInTurnRegion0::Dry |
+                                __BranchesInTurnRegion0::Dried |
+                                __BranchesInTurnRegion0::Shake |
+                                __BranchesInTurnRegion0::Shaken
+                            )
+                        {
+                            any_120__ = true;
+                            self.region_0 = __BranchesInTurnRegion0::NONE;
+                        } else {
+                            match self.region_0 {
+                                __BranchesInTurnRegion0::Fill => {
                                     if inputs_.full {
                                         any_118__ = true;
                                         any_120__ = true;
                                         self.region_0 = __BranchesInTurnRegion0::Filled;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion0::Filled => {
-                                if inputs_.stop {
-                                    any_120__ = true;
-                                    self.region_0 = __BranchesInTurnRegion0::NONE;
-                                } else {
+                                __BranchesInTurnRegion0::Filled => {
                                     if self.region_1 == __BranchesInTurnRegion1::Warmed {
                                         entered_mix_ = true;
                                         any_118__ = true;
@@ -176,12 +182,7 @@ impl BranchesInTurn {
                                         self.region_0 = __BranchesInTurnRegion0::Mix;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion0::Rest => {
-                                if inputs_.stop {
-                                    any_120__ = true;
-                                    self.region_0 = __BranchesInTurnRegion0::NONE;
-                                } else {
+                                __BranchesInTurnRegion0::Rest => {
                                     if self.reading.since(self.since_idle)
                                         >= Ticks::new(9u32)
                                     {
@@ -190,12 +191,7 @@ impl BranchesInTurn {
                                         self.region_0 = __BranchesInTurnRegion0::Rested;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion0::Rested => {
-                                if inputs_.stop {
-                                    any_120__ = true;
-                                    self.region_0 = __BranchesInTurnRegion0::NONE;
-                                } else {
+                                __BranchesInTurnRegion0::Rested => {
                                     if self.region_1 == __BranchesInTurnRegion1::Drained
                                         && inputs_.start
                                     {
@@ -205,24 +201,14 @@ impl BranchesInTurn {
                                         self.region_0 = __BranchesInTurnRegion0::Rinse;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion0::Dry => {
-                                if inputs_.stop {
-                                    any_120__ = true;
-                                    self.region_0 = __BranchesInTurnRegion0::NONE;
-                                } else {
+                                __BranchesInTurnRegion0::Dry => {
                                     if inputs_.warm {
                                         any_118__ = true;
                                         any_120__ = true;
                                         self.region_0 = __BranchesInTurnRegion0::Dried;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion0::Dried => {
-                                if inputs_.stop {
-                                    any_120__ = true;
-                                    self.region_0 = __BranchesInTurnRegion0::NONE;
-                                } else {
+                                __BranchesInTurnRegion0::Dried => {
                                     if self.region_1 == __BranchesInTurnRegion1::Cooled {
                                         any_118__ = true;
                                         any_120__ = true;
@@ -230,24 +216,14 @@ impl BranchesInTurn {
                                         self.region_0 = __BranchesInTurnRegion0::Open;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion0::Shake => {
-                                if inputs_.stop {
-                                    any_120__ = true;
-                                    self.region_0 = __BranchesInTurnRegion0::NONE;
-                                } else {
+                                __BranchesInTurnRegion0::Shake => {
                                     if inputs_.full {
                                         any_118__ = true;
                                         any_120__ = true;
                                         self.region_0 = __BranchesInTurnRegion0::Shaken;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion0::Shaken => {
-                                if inputs_.stop {
-                                    any_120__ = true;
-                                    self.region_0 = __BranchesInTurnRegion0::NONE;
-                                } else {
+                                __BranchesInTurnRegion0::Shaken => {
                                     if self.region_1 == __BranchesInTurnRegion1::Blown
                                         && inputs_.start
                                     {
@@ -257,8 +233,8 @@ impl BranchesInTurn {
                                         self.region_0 = __BranchesInTurnRegion0::Close;
                                     }
                                 }
+                                _ => {}
                             }
-                            _ => {}
                         }
                         if inputs_.stop {
                             self.region_0 = __BranchesInTurnRegion0::Idle;

@@ -37,6 +37,7 @@
 //! - `arms`: what is done in one state alone stands in its arm
 //! - `direct`: outputs are put together in their own places
 //! - `fences`: where LLVM would make more of the code than it has to
+//! - `common`: what many states ask first is asked in front of the match
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
 //! `share` (what lists have in common, `alike` what only looks different), `search` on `early` (where it ends without another look), `several` and `rounds` also on `parts` (another order, in which those of one region stand together; `belonging`, where regions only look at each other) and `among` (which
@@ -50,6 +51,7 @@ mod before;
 mod begun;
 mod belonging;
 mod branches;
+mod common;
 mod dead;
 mod decompose;
 mod direct;
@@ -149,6 +151,7 @@ passes! {
     Arms,
     Direct,
     Fences,
+    Common,
 }
 
 impl Pass {
@@ -222,6 +225,7 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
         Pass::Arms => arms::pass(program),
         Pass::Direct => direct::pass(program),
         Pass::Fences => fences::pass(program),
+        Pass::Common => common::pass(program),
     }
 }
 

@@ -328,7 +328,7 @@ fn known<'m>(expr: &Expr<'m>, learned: &Learned<'m>) -> Expr<'m> {
 }
 
 /// How much there is to ask and to do.
-fn size(statements: &[Statement<'_>]) -> usize {
+pub(super) fn size(statements: &[Statement<'_>]) -> usize {
     let mut all = 0;
     for statement in statements {
         all += match statement {
@@ -343,7 +343,7 @@ fn size(statements: &[Statement<'_>]) -> usize {
     all
 }
 
-fn questions(condition: &Expr<'_>) -> usize {
+pub(super) fn questions(condition: &Expr<'_>) -> usize {
     match condition {
         Expr::Not(inner) => questions(inner),
         Expr::All(parts) | Expr::Any(parts) => parts.iter().map(questions).sum(),

@@ -153,8 +153,8 @@ fn parallel_branches_one_after_the_other_do_not_add_up() {
             for chart in [blocks, nested] {
                 let of = |count: usize| cost(&read(&chart(dialect, kind, count)));
                 let (few, many) = (of(5), of(40));
-                // Of so many blocks a pass may find another shape as short as that of few.
-                assert!(many <= few + 2, "{dialect}, {}: {few} with five blocks, {many} with forty", kind.name);
+                // Of so many blocks a pass may find another shape, as where a stop of many states is asked in front of the match on them.
+                assert!(many <= few + 4, "{dialect}, {}: {few} with five blocks, {many} with forty", kind.name);
             }
         }
     }

@@ -155,3 +155,33 @@ fn a_period_is_counted_where_something_blinks() {
         }
     }
 }
+
+/// A line of nine steps with a stop by `any`.
+pub(super) fn line(stop: &str) -> String {
+    let mut text = "sfc Line { input a, b, stop: bool; input level: u8; output p, q: bool; var n: u8 = 0; initial step Idle; step Stopped { q; P1 n = 0; } ".to_owned();
+    for number in 0..9 {
+        _ = write!(text, "step S{number} {{ p if a; }} ");
+    }
+    text += "Idle -[a && !stop]-> S0; ";
+    for number in 0..8 {
+        _ = write!(text, "S{number} -[b && {}ms/S{number}]-> S{}; ", 2 + number % 3, number + 1);
+    }
+    _ = write!(text, "S8 -[!b]-> Idle; Stopped -[!stop]-> Idle; any except (Idle, Stopped) -[{stop}]-> Stopped; }}");
+    text
+}
+
+/// The stop of many steps is asked in front of the match; what may panic, only beside one of these.
+#[test]
+fn what_many_states_ask_first_is_asked_in_front_of_the_match() {
+    let all = "S0|S1|S2|S3|S4|S5|S6|S7|S8";
+    for (stop, asked) in [
+        ("stop && a", format!("  if stop && a && state is {all}:")),
+        ("level / 3 > 70 && stop", format!("  if state is {all} && level / 3 > 70 && stop:")),
+    ] {
+        let program = text(&line(stop));
+        assert!(program.contains(&asked), "{program}");
+        for dialect in ["sfc", "grafcet"] {
+            each_left_out(&read(&line(stop).replacen("sfc", dialect, 1)), &storm(&["a", "b", "stop"], 300), 150);
+        }
+    }
+}

@@ -14,7 +14,7 @@ use grafcet_conformance::program::{Outcome, compare, program as optimised, sleep
 use grafcet_conformance::reader;
 
 use super::forks::WASH;
-use super::kept::doors;
+use super::kept::{doors, line};
 use super::regions::{BOXES, CELL, PLANT};
 use super::{read, recorded};
 /// A small chart for each pass: its program in front of it and after it, as pseudo-code.
@@ -80,6 +80,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Arms, BOXES),
         (Pass::Direct, WASH),
         (Pass::Fences, pair),
+        (Pass::Common, &line("stop && a")),
     ];
     assert_eq!(cases.map(|(pass, _)| pass), Pass::ALL, "a chart for each pass, in their order");
     for (at, (pass, chart)) in cases.into_iter().enumerate() {

@@ -1,0 +1,121 @@
+//! What many states ask first, as whether somebody has pressed the emergency stop, is asked in front of the match.
+//!
+//! ```text
+//! match state                          if stop && state is Fill|Heat|Drain: state = Stopped
+//!   Fill:                              else:
+//!     if stop: state = Stopped           match state
+//!     else if full: state = Heat           Fill:
+//!   Heat:                         ->         if full: state = Heat
+//!     if stop: state = Stopped             Heat:
+//!     else if hot: state = Drain             if hot: state = Drain
+//!   Drain:                                 Drain:
+//!     if stop: state = Stopped               if empty: state = Idle
+//!     else if empty: state = Idle
+//! ```
+//!
+//! Needs: they do the same then. It is the last pass, as others look for the match.
+
+use super::super::build::all;
+use super::super::{Arm, Expr, Program, Statement, Value};
+use super::many::{groups, sum_of, sum_of_block};
+use super::once::{questions, size};
+use super::split::merged;
+use super::uses::{blocks_mut, is_plain, is_pure, same, same_block};
+use crate::model::StepId;
+use crate::sorted::sort;
+
+/// So many states ask it at least.
+const ARMS: usize = 4;
+
+/// So many questions and statements less are worth telling these states.
+const GAIN: usize = 12;
+
+/// In a search, where each evolution asks it.
+const GAIN_IN_SEARCH: usize = 24;
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    block(&mut program.cycle, GAIN);
+}
+
+fn block(statements: &mut [Statement<'_>], least: usize) {
+    for statement in statements {
+        let least = if matches!(statement, Statement::Loop { rounds: 2.., .. }) { GAIN_IN_SEARCH } else { least };
+        for inner in blocks_mut(statement) {
+            block(inner, least);
+        }
+        if let Some(new) = in_front(statement, least) {
+            *statement = new;
+        }
+    }
+}
+
+fn in_front<'m>(statement: &mut Statement<'m>, least: usize) -> Option<Statement<'m>> {
+    let Statement::Match(place, arms, otherwise) = statement else { return None };
+    let group = best(arms, least)?;
+    let Some([Statement::If(condition, then, _)]) = group.first().map(|at| &arms[*at].1[..]) else { return None };
+    let (condition, then) = (condition.clone(), then.clone());
+    let mut steps = Vec::new();
+    for at in &group {
+        let (values, body) = &mut arms[*at];
+        steps.extend(values.iter().filter_map(step));
+        if let Some(Statement::If(_, _, rest)) = body.pop() {
+            *body = rest;
+        }
+    }
+    let mut left = std::mem::take(arms);
+    if otherwise.is_empty() {
+        left.retain(|(_, body)| !body.is_empty());
+    }
+    sort(&mut steps);
+    let is_one = Expr::Is(*place, steps);
+    // Of what the user compares nobody knows that it cannot panic beside another step.
+    let asked = if is_plain(&condition) { vec![condition, is_one] } else { vec![is_one, condition] };
+    let rest = Statement::Match(*place, merged(left), std::mem::take(otherwise));
+    Some(Statement::If(all(asked), then, vec![rest]))
+}
+
+/// The arms that begin with the same condition and do the same then, of which most is to be had.
+fn best(arms: &[Arm<'_>], least: usize) -> Option<Vec<usize>> {
+    let (mut heads, mut sums) = (Vec::new(), Vec::new());
+    for (at, arm) in arms.iter().enumerate() {
+        if let Some((condition, then)) = head(arm) {
+            heads.push((at, condition, then));
+            sums.push(sum_of(condition).wrapping_add(sum_of_block(then)));
+        }
+    }
+    let is_same =
+        |one: usize, other: usize| same(heads[one].1, heads[other].1) && same_block(heads[one].2, heads[other].2);
+    let mut by_group: Vec<Vec<usize>> = Vec::new();
+    let mut most: Option<(usize, usize)> = None;
+    for ((at, condition, then), group) in heads.iter().zip(groups(&sums, &is_same)) {
+        if group == by_group.len() {
+            by_group.push(Vec::new());
+        }
+        let members = &mut by_group[group];
+        members.push(*at);
+        let gain = (members.len() - 1) * (questions(condition) + size(then));
+        if members.len() >= ARMS && gain > least && most.is_none_or(|(best, _)| gain > best) {
+            most = Some((gain, group));
+        }
+    }
+    most.map(|(_, group)| by_group.swap_remove(group))
+}
+
+/// What an arm asks before all else, and what it does then.
+fn head<'s, 'm>((values, body): &'s Arm<'m>) -> Option<(&'s Expr<'m>, &'s [Statement<'m>])> {
+    match &body[..] {
+        [Statement::If(condition, then, _)]
+            if is_pure(condition) && values.iter().all(|value| step(value).is_some()) =>
+        {
+            Some((condition, then))
+        }
+        _ => None,
+    }
+}
+
+fn step(value: &Value) -> Option<StepId> {
+    match value {
+        Value::Step(step) => *step,
+        _ => None,
+    }
+}
