@@ -57,14 +57,14 @@ fn address(statement: &Statement<'_>) -> usize {
 
 /// What is known somewhere in a cycle.
 #[derive(Clone)]
-struct Way {
+struct Reached {
     /// The state of the region, and copies of it.
     states: Vec<(PlaceId, Value)>,
     /// By field, `None` where it may hold anything.
     holds: Vec<Option<Value>>,
 }
 
-impl Way {
+impl Reached {
     fn state(&self, place: PlaceId) -> Option<Value> {
         self.states.iter().find(|(of, _)| *of == place).map(|(_, value)| *value)
     }
@@ -90,9 +90,6 @@ impl Way {
     }
 }
 
-/// Ways with different states.
-type Ways = Vec<Way>;
-
 struct Anew<'p, 'm> {
     program: &'p Program<'m>,
     region: usize,
@@ -102,7 +99,7 @@ struct Anew<'p, 'm> {
     again: RefCell<Map<usize, bool>>,
     is_noted: Cell<bool>,
     /// What leaves each loop around.
-    left: RefCell<Vec<Ways>>,
+    left: RefCell<Vec<Vec<Reached>>>,
     effort: Cell<usize>,
 }
 
@@ -124,7 +121,7 @@ impl<'p, 'm> Anew<'p, 'm> {
     fn again(self) -> Option<Map<usize, bool>> {
         let Initial::Value(begins) = self.program.places[self.state.0].initial else { return None };
         let holds = self.fields.iter().map(|field| initial(&self.program.places[field.0])).list();
-        let mut all = vec![Way { states: vec![(self.state, begins)], holds }];
+        let mut all = vec![Reached { states: vec![(self.state, begins)], holds }];
         let mut open = vec![0];
         while let Some(at) = open.pop() {
             for end in self.block(&self.program.cycle, vec![all[at].clone()])? {
@@ -137,7 +134,7 @@ impl<'p, 'm> Anew<'p, 'm> {
                     }
                     None => {
                         open.push(all.len());
-                        all.push(Way { states: vec![(self.state, state)], holds: end.holds });
+                        all.push(Reached { states: vec![(self.state, state)], holds: end.holds });
                     }
                 }
             }
@@ -150,7 +147,7 @@ impl<'p, 'm> Anew<'p, 'm> {
     }
 
     /// None where the state of the region is not known after it, or it takes too long.
-    fn block(&self, statements: &[Statement<'m>], mut ways: Ways) -> Option<Ways> {
+    fn block(&self, statements: &[Statement<'m>], mut ways: Vec<Reached>) -> Option<Vec<Reached>> {
         for statement in statements {
             if ways.is_empty() {
                 break;
@@ -161,7 +158,7 @@ impl<'p, 'm> Anew<'p, 'm> {
         Some(ways)
     }
 
-    fn after(&self, statement: &Statement<'m>, mut ways: Ways) -> Option<Ways> {
+    fn after(&self, statement: &Statement<'m>, mut ways: Vec<Reached>) -> Option<Vec<Reached>> {
         match statement {
             Statement::Part(_, body) => return self.block(body, ways),
             Statement::Set(place, value) => {
@@ -170,7 +167,7 @@ impl<'p, 'm> Anew<'p, 'm> {
                 }
             }
             Statement::If(condition, then, otherwise) => {
-                let may_be = |truth: bool, way: &&Way| self.holds(condition, way) != Some(!truth);
+                let may_be = |truth: bool, way: &&Reached| self.holds(condition, way) != Some(!truth);
                 let met = ways.iter().filter(|way| may_be(true, way)).cloned().list();
                 let unmet = ways.iter().filter(|way| may_be(false, way)).cloned().list();
                 return Some(merged(self.block(then, met)?, self.block(otherwise, unmet)?));
@@ -193,7 +190,7 @@ impl<'p, 'm> Anew<'p, 'm> {
         Some(merged(Vec::new(), ways))
     }
 
-    fn set(&self, statement: &Statement<'m>, (place, value): (PlaceId, &Expr<'m>), way: &mut Way) -> Option<()> {
+    fn set(&self, statement: &Statement<'m>, (place, value): (PlaceId, &Expr<'m>), way: &mut Reached) -> Option<()> {
         let known = match value {
             Expr::Value(value) => Some(*value),
             Expr::Place(from) => self.value(*from, way),
@@ -217,8 +214,8 @@ impl<'p, 'm> Anew<'p, 'm> {
         place: PlaceId,
         arms: &[(Vec<Value>, Vec<Statement<'m>>)],
         otherwise: &[Statement<'m>],
-        ways: &[Way],
-    ) -> Option<Ways> {
+        ways: &[Reached],
+    ) -> Option<Vec<Reached>> {
         let is_state = matches!(self.program.places[place.0].ty, Type::State(region) if region == self.region);
         let mut all = Vec::new();
         for (values, body) in arms {
@@ -238,7 +235,7 @@ impl<'p, 'm> Anew<'p, 'm> {
             }
             all = merged(all, self.block(body, merged(Vec::new(), here))?);
         }
-        let is_other = |way: &&Way| {
+        let is_other = |way: &&Reached| {
             self.value(place, way).is_none_or(|value| !arms.iter().any(|(values, _)| values.contains(&value)))
         };
         let other = ways.iter().filter(is_other).cloned().list();
@@ -246,7 +243,7 @@ impl<'p, 'm> Anew<'p, 'm> {
     }
 
     /// Until another round brings nothing new.
-    fn rounds(&self, body: &[Statement<'m>], ways: Ways) -> Option<Ways> {
+    fn rounds(&self, body: &[Statement<'m>], ways: Vec<Reached>) -> Option<Vec<Reached>> {
         self.left.borrow_mut().push(Vec::new());
         let mut begins = ways;
         let mut all = begins.clone();
@@ -271,20 +268,20 @@ impl<'p, 'm> Anew<'p, 'm> {
         Some(merged(all, left))
     }
 
-    fn forget(&self, place: PlaceId, way: &mut Way) {
+    fn forget(&self, place: PlaceId, way: &mut Reached) {
         way.put(place, None);
         if let Some(at) = self.fields.iter().position(|field| *field == place) {
             way.holds[at] = None;
         }
     }
 
-    fn value(&self, place: PlaceId, way: &Way) -> Option<Value> {
+    fn value(&self, place: PlaceId, way: &Reached) -> Option<Value> {
         let at = self.fields.iter().position(|field| *field == place);
         at.and_then(|at| way.holds[at]).or_else(|| way.state(place))
     }
 
     /// Whether a condition holds, if that is known.
-    fn holds(&self, condition: &Expr<'m>, way: &Way) -> Option<bool> {
+    fn holds(&self, condition: &Expr<'m>, way: &Reached) -> Option<bool> {
         let truth = |value: Value| if let Value::Bool(truth) = value { Some(truth) } else { None };
         // The first that says so, else whether all say the opposite.
         let one = |parts: &[Expr<'m>], wanted: bool| {
@@ -345,8 +342,8 @@ fn stores(statements: &[Statement<'_>], place: PlaceId) -> bool {
     })
 }
 
-/// Ways with the same states are one, of which is known what is known of both.
-fn merged(mut all: Ways, ways: Ways) -> Ways {
+/// Vec<Reached> with the same states are one, of which is known what is known of both.
+fn merged(mut all: Vec<Reached>, ways: Vec<Reached>) -> Vec<Reached> {
     for way in ways {
         match all.iter_mut().find(|one| one.states == way.states) {
             Some(one) => _ = one.join(&way),

@@ -38,13 +38,13 @@ pub(super) struct Forest<'w, 'm> {
 
 /// The time of the active step.
 #[derive(Clone, Copy)]
-struct Time {
+struct RegionTime {
     place: PlaceId,
     /// It is what has passed, not the reading at which it began.
     is_counted: bool,
 }
 
-impl Time {
+impl RegionTime {
     fn of(program: &Program<'_>) -> Option<Self> {
         let of = |role, is_counted| program.place(role).map(|place| Self { place, is_counted });
         of(Role::Began(0), false).or_else(|| of(Role::Time(0), true))
@@ -80,7 +80,7 @@ pub(super) type Around<'m> = [Vec<Statement<'m>>; 2];
 
 pub(super) fn pass<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>) -> Around<'m> {
     let nothing = [Vec::new(), Vec::new()];
-    let (Some(settled), Some(time)) = (program.place(Role::Settled), Time::of(program)) else { return nothing };
+    let (Some(settled), Some(time)) = (program.place(Role::Settled), RegionTime::of(program)) else { return nothing };
     let passed = program.place(Role::Passed(0));
     let Some(at) = forest.fields.iter().position(|field| *field == settled) else { return nothing };
     let mut moved = Moved {
@@ -128,7 +128,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>) -
 }
 
 /// The same of the time alone, in a `grafcet` of which each cycle ends settled.
-fn begun_after<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>, time: Time) -> Around<'m> {
+fn begun_after<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>, time: RegionTime) -> Around<'m> {
     let (mut begins, after) = (true, read_after(program));
     for (tree, from) in forest.trees.iter().zip(forest.points) {
         let Some(tree) = tree else { continue };
@@ -156,7 +156,7 @@ fn asks(after: &Places, leaf: &Leaf<'_>, since: PlaceId) -> bool {
 }
 
 /// A copy of the state in front, and after the beginning of a time where it differs.
-fn where_it_differs<'m>(program: &mut Program<'m>, state: PlaceId, time: Time) -> [Statement<'m>; 2] {
+fn where_it_differs<'m>(program: &mut Program<'m>, state: PlaceId, time: RegionTime) -> [Statement<'m>; 2] {
     let PlaceInfo { name, initial, .. } = &program.places[state.0];
     let (name, initial) = (format!("was.{name}"), *initial);
     program.places.push(PlaceInfo { name, role: Role::Local, ty: Type::State(0), initial, is_field: false });
@@ -169,7 +169,7 @@ fn where_it_differs<'m>(program: &mut Program<'m>, state: PlaceId, time: Time) -
 struct Moved {
     state: PlaceId,
     settled: PlaceId,
-    time: Time,
+    time: RegionTime,
     passed: Option<PlaceId>,
     /// Where the ways know whether they have settled.
     at: usize,

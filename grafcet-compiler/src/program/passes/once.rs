@@ -43,14 +43,14 @@ const EFFORT: usize = 4000;
 const USERS: usize = 32;
 
 /// A condition that has been asked.
-struct Told<'m> {
+struct Answer<'m> {
     condition: Expr<'m>,
     holds: bool,
     /// Of what places.
     reads: Vec<PlaceId>,
 }
 
-impl<'m> Told<'m> {
+impl<'m> Answer<'m> {
     /// Whether another condition holds then: the same one, or one of the same time.
     fn tells(&self, other: &Expr<'m>) -> Option<bool> {
         if same(&self.condition, other) {
@@ -77,7 +77,7 @@ fn limit<'e>(condition: &'e Expr<'_>) -> Option<(&'e Expr<'e>, u32, bool)> {
 /// What is known on a way.
 #[derive(Default)]
 struct Learned<'m> {
-    told: Vec<Told<'m>>,
+    told: Vec<Answer<'m>>,
     /// Which of it holds no longer, as something it asks for has been written.
     stale: Vec<usize>,
     /// How much more may be tried out, and whether that is what is done.
@@ -127,7 +127,7 @@ impl<'m> Learned<'m> {
     }
 
     /// What is known still.
-    fn known(&self) -> impl Iterator<Item = &Told<'m>> {
+    fn known(&self) -> impl Iterator<Item = &Answer<'m>> {
         self.told.iter().enumerate().filter(|(at, _)| !self.stale.contains(at)).map(|(_, told)| told)
     }
 
@@ -152,9 +152,9 @@ impl<'m> Learned<'m> {
                 each_read(condition, &mut |place| reads.push(place));
                 if let Expr::Compare(Comparison::Equal | Comparison::Differs, ..) = condition {
                     let condition = negated(condition.clone());
-                    self.told.push(Told { condition, holds: !holds, reads: reads.clone() });
+                    self.told.push(Answer { condition, holds: !holds, reads: reads.clone() });
                 }
-                self.told.push(Told { condition: condition.clone(), holds, reads });
+                self.told.push(Answer { condition: condition.clone(), holds, reads });
             }
             _ => {}
         }
@@ -284,7 +284,7 @@ fn is_asked(statements: &[Statement<'_>], condition: &Expr<'_>) -> bool {
 }
 
 /// Whether it tells something of an expression.
-fn tells_of<'m>(told: &Told<'m>, expr: &Expr<'m>) -> bool {
+fn tells_of<'m>(told: &Answer<'m>, expr: &Expr<'m>) -> bool {
     told.tells(expr).is_some()
         || match expr {
             Expr::Not(inner) => tells_of(told, inner),
