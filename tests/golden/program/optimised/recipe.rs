@@ -3,9 +3,9 @@
 pub struct Dyer {
     situation: __DyerState,
     reading: Ticks,
-    settled: bool,
     time: Ticks,
     edge0_before: bool,
+    before_state: __DyerState,
     params: DyerParams,
 }
 impl Dyer {
@@ -23,9 +23,9 @@ impl Dyer {
         Self {
             situation: __DyerState::INIT,
             reading: Ticks::ZERO,
-            settled: false,
             time: Ticks::ZERO,
             edge0_before: false,
+            before_state: __DyerState::Idle,
             params: params_,
         }
     }
@@ -58,6 +58,7 @@ impl Dyer {
                 ready: false,
             }
         };
+        self.before_state = self.situation;
         let elapsed_: Ticks = now_.since(self.reading);
         self.reading = now_;
         self.time = self.time + elapsed_;
@@ -70,9 +71,6 @@ impl Dyer {
                 if !self.edge0_before && inputs_.start {
                     self.situation = __DyerState::Fill;
                     self.time = Ticks::ZERO;
-                    self.settled = false;
-                } else {
-                    self.settled = true;
                 }
             }
             __DyerState::Fill => {
@@ -95,9 +93,6 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
-                    self.settled = false;
-                } else {
-                    self.settled = true;
                 }
             }
             __DyerState::Wash => {
@@ -126,6 +121,7 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
+                    self.before_state = __DyerState::Idle;
                 }
             }
             __DyerState::Dye => {
@@ -145,6 +141,8 @@ impl Dyer {
                                 dye_at
                             },
                         );
+                } else {
+                    self.before_state = __DyerState::Idle;
                 }
             }
             __DyerState::Drain => {
@@ -159,6 +157,8 @@ impl Dyer {
                                 wash_rpm
                             },
                         );
+                } else {
+                    self.before_state = __DyerState::Idle;
                 }
             }
         }
@@ -206,7 +206,7 @@ impl Dyer {
     pub fn next_deadline(
         &self,
     ) -> Option<Ticks> {
-        if !self.settled {
+        if self.before_state != self.situation {
             return Option::Some(self.reading);
         }
         let mut soonest_ = Option::None;
