@@ -30,7 +30,7 @@ pub enum Held {
     Time(Vec<StepId>),
     /// The same of a macro-step.
     MacroTime(MacroId),
-    /// How long a step has been active, but for whole periods: of something that blinks.
+    /// How long the active one of these steps, which blink so, has been active, but for whole periods.
     Phase(Vec<StepId>, u32),
     /// The same of a macro-step.
     MacroPhase(MacroId, u32),

@@ -1,7 +1,7 @@
 //! The cycle of a chart as a program of a small language: places, statements, expressions.
 //!
 //! [`naive`] makes one from a model, a function for each paragraph of `docs/semantics.md` and without a thought of cost; its text is
-//! pseudo-code (`Display`); `run` executes it on values. Both are behind the feature `program`.
+//! pseudo-code (`Display`); `run` executes it on values. Both need the feature `program`.
 //!
 //! ```text
 //! was.state = state

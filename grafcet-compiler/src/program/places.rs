@@ -47,7 +47,7 @@ pub enum Role {
     MacroBegan(MacroId),
     /// A time of the active step of a region is over that is not waited for any more. Beside steps that do not wait so it means nothing.
     Passed(usize),
-    /// How far a period is since the activation of the active step of a region.
+    /// How far a period is since the activation of the active step of a region. Beside steps that do not blink so it means nothing.
     Phase {
         region: usize,
         period: u32,

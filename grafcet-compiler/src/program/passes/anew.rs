@@ -17,9 +17,9 @@
 
 use std::cell::{Cell, RefCell};
 
-use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
-use super::fold::initial;
-use super::uses::{blocks_mut, each_written};
+use super::super::{Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
+use super::fold::{Known, initial};
+use super::uses::{blocks, blocks_mut, each_written};
 use super::without_empty;
 use crate::list::List;
 use crate::sorted::Map;
@@ -282,38 +282,11 @@ impl<'p, 'm> Anew<'p, 'm> {
 
     /// Whether a condition holds, if that is known.
     fn holds(&self, condition: &Expr<'m>, way: &Reached) -> Option<bool> {
-        let truth = |value: Value| if let Value::Bool(truth) = value { Some(truth) } else { None };
-        // The first that says so, else whether all say the opposite.
-        let one = |parts: &[Expr<'m>], wanted: bool| {
-            let mut each = Some(!wanted);
-            for part in parts {
-                match self.holds(part, way) {
-                    Some(holds) if holds == wanted => return Some(wanted),
-                    Some(_) => {}
-                    None => each = None,
-                }
-            }
-            each
-        };
-        match condition {
-            Expr::Value(value) => truth(*value),
-            Expr::Place(place) => self.value(*place, way).and_then(truth),
-            Expr::Is(place, steps) => {
-                let value = self.value(*place, way)?;
-                Some(matches!(value, Value::Step(Some(step)) if steps.contains(&step)))
-            }
-            Expr::Not(inner) => self.holds(inner, way).map(|holds| !holds),
-            Expr::All(parts) => one(parts, false),
-            Expr::Any(parts) => one(parts, true),
-            Expr::Compare(comparison, a, b) => {
-                let (Expr::Place(a), Expr::Place(b)) = (&**a, &**b) else { return None };
-                let same = self.value(*a, way)? == self.value(*b, way)?;
-                match comparison {
-                    Comparison::Equal => Some(same),
-                    Comparison::Differs => Some(!same),
-                    _ => None,
-                }
-            }
+        let value = |place: PlaceId| self.value(place, way);
+        let known =
+            Known { places: &self.program.places, value: &value, copy: &|_| None, among: &|_| None, now: &|_| false };
+        match known.fold(condition) {
+            Expr::Value(Value::Bool(holds)) => Some(holds),
             _ => None,
         }
     }
@@ -338,7 +311,7 @@ fn is_own(role: Role) -> bool {
 fn stores(statements: &[Statement<'_>], place: PlaceId) -> bool {
     statements.iter().any(|one| match one {
         Statement::Set(to, Expr::Value(_)) => *to == place,
-        other => super::uses::blocks(other).into_iter().any(|block| stores(block, place)),
+        other => blocks(other).into_iter().any(|block| stores(block, place)),
     })
 }
 

@@ -11,7 +11,9 @@
 //! at reading if !settled                        at since if before != state
 //! ```
 //!
-//! So no way stores that nothing has happened, and no cycle the reading of its clock. What is over while its step stays active is marked there, by a
+//! A time that is counted is set to zero there, and the reading of the clock is kept.
+//!
+//! So no way stores that nothing has happened, and no cycle the reading of its clock where the time is one. What is over while its step stays active is marked there, by a
 //! value that no cycle begins with but the first.
 //!
 //! A way that stays may leave something else to the next cycle, as an edge in an action: where it does, it tells so by the value of a state that it did not begin with.

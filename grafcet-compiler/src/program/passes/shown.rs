@@ -15,7 +15,7 @@
 //! match state                          match state
 //!   A: lamp = memory || 2s are over      A: lamp = 2s are over
 //!   B:                                   B: memory = true
-//!     memory = true               ->   lamp = lamp || memory
+//!     memory = true               ->   if memory: lamp = true
 //!     lamp = true
 //!   else: lamp = memory
 //! ```
