@@ -191,6 +191,7 @@ pub mod __private {
 
     pub use __by_edition as by_edition;
     pub use __under as under;
+    pub use grafcet_core::__has_reached as has_reached;
     pub use grafcet_core::fence::{fence_beyond_armv6m, fence_on_armv6m};
     #[cfg(feature = "record")]
     pub use grafcet_core::record::Blocked;

@@ -58,6 +58,29 @@ const fn truncate(ticks: u128) -> u32 {
     ticks as u32
 }
 
+/// Whether a time has reached its limit, asked as generated code is shortest.
+///
+/// LLVM makes "more than 999" of "at least 1000". On ARMv7-M a comparison can hold 1000 and not 999, on ARMv6-M neither: there the limit
+/// comes from a table of numbers in any case, and the usual form has fewer of them.
+#[doc(hidden)]
+#[macro_export]
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+macro_rules! __has_reached {
+    ($time:expr, $limit:expr) => {
+        !($time < $limit)
+    };
+}
+
+/// The same on ARMv6-M.
+#[doc(hidden)]
+#[macro_export]
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+macro_rules! __has_reached {
+    ($time:expr, $limit:expr) => {
+        $time >= $limit
+    };
+}
+
 impl From<u32> for Ticks {
     fn from(ticks: u32) -> Self {
         Self(ticks)

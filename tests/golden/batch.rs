@@ -452,8 +452,10 @@ impl Batch {
                 self.delay0_in = true;
             } else {
                 if !self.delay0_out
-                    && self.reading.since(self.delay0_since)
-                        >= ::grafcet::__private::Ticks::new(1000u32)
+                    && ::grafcet::__private::has_reached!(
+                        self.reading.since(self.delay0_since),
+                        ::grafcet::__private::Ticks::new(1000u32)
+                    )
                 {
                     self.delay0_out = true;
                 }
@@ -464,8 +466,10 @@ impl Batch {
                 self.delay0_in = false;
             } else {
                 if self.delay0_out
-                    && self.reading.since(self.delay0_since)
-                        >= ::grafcet::__private::Ticks::new(500u32)
+                    && ::grafcet::__private::has_reached!(
+                        self.reading.since(self.delay0_since),
+                        ::grafcet::__private::Ticks::new(500u32)
+                    )
                 {
                     self.delay0_out = false;
                 }
@@ -637,9 +641,10 @@ impl Batch {
                                     },
                                     40,
                                 );
-                            if self.reading.since(self.since_idle)
-                                >= ::grafcet::__private::Ticks::new(2000u32)
-                            {
+                            if ::grafcet::__private::has_reached!(
+                                self.reading.since(self.since_idle),
+                                ::grafcet::__private::Ticks::new(2000u32)
+                            ) {
                                 self.since_idle = self
                                     .reading
                                     .since(::grafcet::__private::Ticks::new(2000u32));

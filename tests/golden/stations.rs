@@ -378,9 +378,10 @@ impl Stations {
                     }
                 }
                 __StationsRegion0::Out => {
-                    if now_.since(self.since_wait)
-                        >= ::grafcet::__private::Ticks::new(2000u32)
-                    {
+                    if ::grafcet::__private::has_reached!(
+                        now_.since(self.since_wait),
+                        ::grafcet::__private::Ticks::new(2000u32)
+                    ) {
                         region_0_ = __StationsRegion0::Wait;
                         moves_21__ = true;
                     }

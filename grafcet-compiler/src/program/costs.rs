@@ -6,6 +6,9 @@ use crate::sorted::Map;
 /// About so many bytes takes a state that is told apart in front of a match, where a table has one for each.
 const JUMP: usize = 8;
 
+/// In statements, how long a match is on a state, without its arms.
+const MATCH: usize = 9;
+
 impl Program<'_> {
     /// Whether all parts of a condition are asked, whatever the first ones say: of inputs no jump is worth what it saves, but in a loop.
     pub(crate) fn asks_at_once(&self, parts: &[Expr<'_>]) -> bool {
@@ -15,6 +18,12 @@ impl Program<'_> {
         };
         let is_loop = |statement: &Statement<'_>| matches!(statement, Statement::Loop { rounds: 2.., .. });
         parts.iter().all(is_input) && !self.cycle.iter().any(is_loop)
+    }
+
+    /// Whether the code of a cycle is worth the instructions that its second matches take beside that of another one for the same chart.
+    pub(super) fn is_shorter(&self, other: &Self) -> bool {
+        let [own, others] = [self, other].map(|program| length(&program.cycle));
+        if self.model.optimize_size { own < others } else { 10 * own <= 9 * others }
     }
 
     /// Of a table that is printed as a match, the states that do not lead to the one after them in `states`. Under `optimize size;` LLVM computes
@@ -31,5 +40,29 @@ impl Program<'_> {
             }
         }
         (JUMP * jumps.len() <= states.len()).then_some(jumps)
+    }
+}
+
+/// About how long the code of statements is, in statements that set a place.
+fn length(statements: &[Statement<'_>]) -> usize {
+    let mut all = 0;
+    for statement in statements {
+        all += match statement {
+            Statement::If(condition, then, otherwise) => questions(condition) + length(then) + length(otherwise),
+            Statement::Part(_, body) | Statement::Loop { body, .. } => length(body),
+            Statement::Match(_, arms, otherwise) => {
+                MATCH + arms.iter().map(|(_, body)| length(body)).sum::<usize>() + length(otherwise)
+            }
+            _ => 1,
+        };
+    }
+    all
+}
+
+fn questions(condition: &Expr<'_>) -> usize {
+    match condition {
+        Expr::Not(inner) => questions(inner),
+        Expr::All(parts) | Expr::Any(parts) => parts.iter().map(questions).sum(),
+        _ => 1,
     }
 }

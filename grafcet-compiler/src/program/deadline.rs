@@ -4,6 +4,7 @@ use super::{Expr, PlaceId};
 use crate::model::StepId;
 
 /// Until when nothing changes.
+#[derive(Clone)]
 pub struct Deadline<'m> {
     /// The next cycle is due at once.
     pub at_once: Expr<'m>,
@@ -16,6 +17,7 @@ pub struct Deadline<'m> {
 }
 
 /// Something may change after a time.
+#[derive(Clone)]
 pub struct Wait<'m> {
     /// Where this holds.
     pub condition: Expr<'m>,

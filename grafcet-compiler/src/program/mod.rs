@@ -55,6 +55,7 @@ pub(crate) fn optimised<'m>(
 }
 
 /// What a chart does in one cycle.
+#[derive(Clone)]
 pub struct Program<'m> {
     /// Whose names and types it uses.
     pub model: &'m Model,
@@ -81,6 +82,7 @@ pub struct Program<'m> {
 }
 
 /// Which states two regions may have together, before and after each evolution.
+#[derive(Clone)]
 pub struct Meeting {
     pub regions: [usize; 2],
     pub states: Set<[Option<StepId>; 2]>,
@@ -98,7 +100,7 @@ impl Meeting {
 }
 
 /// What is known of the search for stability of a `grafcet` in which one step is active.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Search {
     /// Where nothing but the situation makes it go on: after as many evolutions as the bound says, it has come back to a step and goes on for
     /// ever.

@@ -9,6 +9,7 @@ use crate::model::{
 pub struct PlaceId(pub usize);
 
 /// Something that holds a value.
+#[derive(Clone)]
 pub struct PlaceInfo<'m> {
     pub name: String,
     pub role: Role,

@@ -4,6 +4,7 @@ use super::Program;
 use crate::model::StepId;
 
 /// Regions whose states go together: the place of the first one tells the states of all.
+#[derive(Clone)]
 pub struct United {
     /// In their order.
     pub regions: Vec<usize>,

@@ -44,7 +44,9 @@ impl Gate {
                 }
             }
             __GateState::Opening => {
-                if now_.since(self.since) >= Ticks::new(1000u32) {
+                if has_reached!(
+                    now_.since(self.since), Ticks::new(1000u32)
+                ) {
                     self.since = now_
                         .since(
                             phase(
@@ -59,8 +61,9 @@ impl Gate {
                 } else {
                     outputs_.lamp = now_.since(self.since)
                         < Ticks::new(500u32);
-                    if now_.since(self.since) >= Ticks::new(500u32)
-                    {
+                    if has_reached!(
+                        now_.since(self.since), Ticks::new(500u32)
+                    ) {
                         self.before_state = __GateState::INIT;
                     }
                 }

@@ -158,9 +158,10 @@ impl Batch {
                         }
                     }
                     __BatchRegion0::Stir => {
-                        if self.reading.since(self.since_idle)
-                            >= Ticks::new(2000u32)
-                        {
+                        if has_reached!(
+                            self.reading.since(self.since_idle),
+                            Ticks::new(2000u32)
+                        ) {
                             self.region_0 = __BatchRegion0::Drain;
                             self.since_idle = self.reading;
                             on_drain_8__ = true;
@@ -370,9 +371,10 @@ impl Batch {
                             }
                             turned_ = self.was_q_stir_7_;
                             self.was_q_stir_7_ = false;
-                            if self.reading.since(self.since_idle)
-                                >= Ticks::new(1000u32)
-                            {
+                            if has_reached!(
+                                self.reading.since(self.since_idle),
+                                Ticks::new(1000u32)
+                            ) {
                                 self.since_idle = self
                                     .reading
                                     .since(Ticks::new(1000u32));
@@ -384,8 +386,10 @@ impl Batch {
                         match self.region_1 {
                             __BatchRegion1::Heat => {
                                 if inputs_.full
-                                    && self.reading.since(self.since_heat)
-                                        >= Ticks::new(5000u32)
+                                    && has_reached!(
+                                        self.reading.since(self.since_heat),
+                                        Ticks::new(5000u32)
+                                    )
                                 {
                                     self.region_1 = __BatchRegion1::NONE;
                                     self.region_0 = __BatchRegion0::Stir;
@@ -476,9 +480,10 @@ impl Batch {
                                     }
                                     turned_ = self.was_q_stir_7_;
                                     self.was_q_stir_7_ = false;
-                                    if self.reading.since(self.since_heat)
-                                        >= Ticks::new(5000u32)
-                                    {
+                                    if has_reached!(
+                                        self.reading.since(self.since_heat),
+                                        Ticks::new(5000u32)
+                                    ) {
                                         self.since_heat = self
                                             .reading
                                             .since(Ticks::new(5000u32));
@@ -899,22 +904,28 @@ impl Batch {
             self.was_q_stir_7_ = q_stir_7__;
             if was_state_heat_ == __BatchRegion1::Heat
                 && self.region_1 == __BatchRegion1::Heat
-                && now_.since(self.since_heat)
-                    >= Ticks::new(5000u32)
+                && has_reached!(
+                    now_.since(self.since_heat),
+                    Ticks::new(5000u32)
+                )
             {
                 self.since_heat = now_.since(Ticks::new(5000u32));
             }
             if was_state_idle_ == __BatchRegion0::Stir
                 && self.region_0 == __BatchRegion0::Stir
-                && now_.since(self.since_idle)
-                    >= Ticks::new(2000u32)
+                && has_reached!(
+                    now_.since(self.since_idle),
+                    Ticks::new(2000u32)
+                )
             {
                 self.since_idle = now_.since(Ticks::new(2000u32));
             }
             if was_state_idle_ == __BatchRegion0::Drain
                 && self.region_0 == __BatchRegion0::Drain
-                && now_.since(self.since_idle)
-                    >= Ticks::new(1000u32)
+                && has_reached!(
+                    now_.since(self.since_idle),
+                    Ticks::new(1000u32)
+                )
             {
                 self.since_idle = now_.since(Ticks::new(1000u32));
             }

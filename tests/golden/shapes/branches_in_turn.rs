@@ -183,9 +183,10 @@ impl BranchesInTurn {
                                     }
                                 }
                                 __BranchesInTurnRegion0::Rest => {
-                                    if self.reading.since(self.since_idle)
-                                        >= Ticks::new(9u32)
-                                    {
+                                    if has_reached!(
+                                        self.reading.since(self.since_idle),
+                                        Ticks::new(9u32)
+                                    ) {
                                         any_118__ = true;
                                         any_120__ = true;
                                         self.region_0 = __BranchesInTurnRegion0::Rested;
@@ -246,8 +247,10 @@ impl BranchesInTurn {
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
                                 } else {
                                     if inputs_.warm
-                                        && self.reading.since(self.since_warm)
-                                            >= Ticks::new(5u32)
+                                        && has_reached!(
+                                            self.reading.since(self.since_warm),
+                                            Ticks::new(5u32)
+                                        )
                                     {
                                         any_119__ = true;
                                         any_120__ = true;
@@ -283,9 +286,10 @@ impl BranchesInTurn {
                                     any_120__ = true;
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
                                 } else {
-                                    if self.reading.since(self.since_warm)
-                                        >= Ticks::new(7u32)
-                                    {
+                                    if has_reached!(
+                                        self.reading.since(self.since_warm),
+                                        Ticks::new(7u32)
+                                    ) {
                                         any_119__ = true;
                                         any_120__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::Cooled;
@@ -338,8 +342,10 @@ impl BranchesInTurn {
                                     && self.reading.since(self.since_idle)
                                         >= Ticks::new(9u32);
                                 if was_state_idle_ == __BranchesInTurnRegion0::Rest
-                                    && self.reading.since(self.since_idle)
-                                        >= Ticks::new(9u32)
+                                    && has_reached!(
+                                        self.reading.since(self.since_idle),
+                                        Ticks::new(9u32)
+                                    )
                                 {
                                     self.since_idle = self
                                         .reading
@@ -365,8 +371,10 @@ impl BranchesInTurn {
                                     && self.reading.since(self.since_warm)
                                         >= Ticks::new(5u32);
                                 if was_state_warm_ == __BranchesInTurnRegion1::Warm
-                                    && self.reading.since(self.since_warm)
-                                        >= Ticks::new(5u32)
+                                    && has_reached!(
+                                        self.reading.since(self.since_warm),
+                                        Ticks::new(5u32)
+                                    )
                                 {
                                     self.since_warm = self
                                         .reading
@@ -383,8 +391,10 @@ impl BranchesInTurn {
                                     && self.reading.since(self.since_warm)
                                         >= Ticks::new(7u32);
                                 if was_state_warm_ == __BranchesInTurnRegion1::Cool
-                                    && self.reading.since(self.since_warm)
-                                        >= Ticks::new(7u32)
+                                    && has_reached!(
+                                        self.reading.since(self.since_warm),
+                                        Ticks::new(7u32)
+                                    )
                                 {
                                     self.since_warm = self
                                         .reading

@@ -75,9 +75,10 @@ impl Hoists {
                             }
                         }
                         __HoistsRegion0::LiftA => {
-                            if now_.since(self.since_idle)
-                                >= Ticks::new(2000u32)
-                            {
+                            if has_reached!(
+                                now_.since(self.since_idle),
+                                Ticks::new(2000u32)
+                            ) {
                                 if inputs_.up {
                                     self.region_0 = __HoistsRegion0::EndA;
                                 } else {
@@ -107,9 +108,10 @@ impl Hoists {
                             }
                         }
                         __HoistsRegion1::LiftB => {
-                            if now_.since(self.since_waitb)
-                                >= Ticks::new(1000u32)
-                            {
+                            if has_reached!(
+                                now_.since(self.since_waitb),
+                                Ticks::new(1000u32)
+                            ) {
                                 if inputs_.down {
                                     self.region_1 = __HoistsRegion1::EndB;
                                     self.since_waitb = now_;

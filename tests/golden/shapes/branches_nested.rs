@@ -113,8 +113,10 @@ impl Nested {
                                 match self.region_1 {
                                     __NestedRegion1::Heat => {
                                         if inputs_.hot
-                                            && self.reading.since(self.since_heat)
-                                                >= Ticks::new(1000u32)
+                                            && has_reached!(
+                                                self.reading.since(self.since_heat),
+                                                Ticks::new(1000u32)
+                                            )
                                         {
                                             self.region_1 = __NestedRegion1::Hot;
                                             any_58__ = true;
@@ -122,9 +124,10 @@ impl Nested {
                                             outputs_.heat = true;
                                             self.passed_heat = self.reading.since(self.since_heat)
                                                 >= Ticks::new(1000u32);
-                                            if self.reading.since(self.since_heat)
-                                                >= Ticks::new(1000u32)
-                                            {
+                                            if has_reached!(
+                                                self.reading.since(self.since_heat),
+                                                Ticks::new(1000u32)
+                                            ) {
                                                 self.since_heat = self
                                                     .reading
                                                     .since(Ticks::new(1000u32));
@@ -159,9 +162,10 @@ impl Nested {
                     );
                     match self.region_2 {
                         __NestedRegion2::Return => {
-                            if self.reading.since(self.since_return)
-                                >= Ticks::new(2000u32)
-                            {
+                            if has_reached!(
+                                self.reading.since(self.since_return),
+                                Ticks::new(2000u32)
+                            ) {
                                 self.region_2 = __NestedRegion2::Home;
                                 any_58__ = true;
                             }

@@ -52,8 +52,10 @@ impl Kiln {
                 self.delay0_in = true;
             } else {
                 if !self.delay0_out
-                    && now_.since(self.delay0_since)
-                        >= Ticks::new(1000u32)
+                    && has_reached!(
+                        now_.since(self.delay0_since),
+                        Ticks::new(1000u32)
+                    )
                 {
                     self.delay0_out = true;
                 }
@@ -64,8 +66,10 @@ impl Kiln {
                 self.delay0_in = false;
             } else {
                 if self.delay0_out
-                    && now_.since(self.delay0_since)
-                        >= Ticks::new(2000u32)
+                    && has_reached!(
+                        now_.since(self.delay0_since),
+                        Ticks::new(2000u32)
+                    )
                 {
                     self.delay0_out = false;
                 }
@@ -340,8 +344,10 @@ impl Kiln {
                     self.delay0_in = true;
                 } else {
                     if !self.delay0_out
-                        && now_.since(self.delay0_since)
-                            >= Ticks::new(1000u32)
+                        && has_reached!(
+                            now_.since(self.delay0_since),
+                            Ticks::new(1000u32)
+                        )
                     {
                         self.delay0_out = true;
                     }
@@ -352,8 +358,10 @@ impl Kiln {
                     self.delay0_in = false;
                 } else {
                     if self.delay0_out
-                        && now_.since(self.delay0_since)
-                            >= Ticks::new(2000u32)
+                        && has_reached!(
+                            now_.since(self.delay0_since),
+                            Ticks::new(2000u32)
+                        )
                     {
                         self.delay0_out = false;
                     }

@@ -70,9 +70,10 @@ impl Kettle {
                     let mut on_stirred_5__: bool = false;
                     match self.region_1 {
                         __KettleRegion1::Fill => {
-                            if now_.since(self.since_fill)
-                                >= Ticks::new(1000u32)
-                            {
+                            if has_reached!(
+                                now_.since(self.since_fill),
+                                Ticks::new(1000u32)
+                            ) {
                                 if inputs_.full {
                                     self.region_1 = __KettleRegion1::Stir;
                                     self.since_fill = now_;
@@ -88,9 +89,10 @@ impl Kettle {
                             }
                         }
                         __KettleRegion1::Stir => {
-                            if now_.since(self.since_fill)
-                                >= Ticks::new(3000u32)
-                            {
+                            if has_reached!(
+                                now_.since(self.since_fill),
+                                Ticks::new(3000u32)
+                            ) {
                                 self.region_1 = __KettleRegion1::Rest;
                                 self.since_fill = now_;
                             } else {
@@ -98,9 +100,10 @@ impl Kettle {
                             }
                         }
                         __KettleRegion1::Rest => {
-                            if now_.since(self.since_fill)
-                                >= Ticks::new(2000u32)
-                            {
+                            if has_reached!(
+                                now_.since(self.since_fill),
+                                Ticks::new(2000u32)
+                            ) {
                                 self.region_1 = __KettleRegion1::Stirred;
                                 self.since_fill = now_;
                                 on_stirred_5__ = true;
@@ -124,9 +127,10 @@ impl Kettle {
                             }
                         }
                         __KettleRegion0::Hold => {
-                            if now_.since(self.since_idle)
-                                >= Ticks::new(5000u32)
-                            {
+                            if has_reached!(
+                                now_.since(self.since_idle),
+                                Ticks::new(5000u32)
+                            ) {
                                 self.region_0 = __KettleRegion0::Heated;
                             } else {
                                 outputs_.heater = !inputs_.hot;

@@ -46,8 +46,10 @@ impl Works {
                 self.delay0_in = true;
             } else {
                 if !self.delay0_out
-                    && self.reading.since(self.delay0_since)
-                        >= Ticks::new(20u32)
+                    && has_reached!(
+                        self.reading.since(self.delay0_since),
+                        Ticks::new(20u32)
+                    )
                 {
                     self.delay0_out = true;
                 }
@@ -58,8 +60,10 @@ impl Works {
                 self.delay0_in = false;
             } else {
                 if self.delay0_out
-                    && self.reading.since(self.delay0_since)
-                        >= Ticks::new(30u32)
+                    && has_reached!(
+                        self.reading.since(self.delay0_since),
+                        Ticks::new(30u32)
+                    )
                 {
                     self.delay0_out = false;
                 }
@@ -120,8 +124,10 @@ impl Works {
                         if self.region_0 == __WorksRegion0::Two
                             && self.region_1 == __WorksRegion1::Three && !self.delay0_out
                             && (!inputs_.a
-                                || self.reading.since(self.since_idle)
-                                    >= Ticks::new(4000u32))
+                                || has_reached!(
+                                    self.reading.since(self.since_idle),
+                                    Ticks::new(4000u32)
+                                ))
                         {
                             self.since_idle = self.reading;
                             on_idle_1__ = true;
@@ -158,9 +164,10 @@ impl Works {
                                         self.sd_ff_late = true;
                                         outputs_.lamp = self.reading.since(self.since_idle)
                                             < Ticks::new(40u32);
-                                        if self.reading.since(self.since_idle)
-                                            >= Ticks::new(40u32)
-                                        {
+                                        if has_reached!(
+                                            self.reading.since(self.since_idle),
+                                            Ticks::new(40u32)
+                                        ) {
                                             self.since_idle = self
                                                 .reading
                                                 .since(Ticks::new(40u32));
@@ -171,9 +178,10 @@ impl Works {
                                     outputs_.held = self.s_ff_held;
                                     outputs_.lamp = self.reading.since(self.since_idle)
                                         >= Ticks::new(30u32);
-                                    if self.reading.since(self.since_idle)
-                                        >= Ticks::new(4000u32)
-                                    {
+                                    if has_reached!(
+                                        self.reading.since(self.since_idle),
+                                        Ticks::new(4000u32)
+                                    ) {
                                         self.since_idle = self
                                             .reading
                                             .since(Ticks::new(4000u32));
@@ -269,8 +277,10 @@ impl Works {
                             outputs_.slow = self.ds_ff_slow;
                             if was_state_three_ == __WorksRegion1::Three
                                 && self.region_1 == __WorksRegion1::Three
-                                && self.reading.since(self.since_three)
-                                    >= Ticks::new(20u32)
+                                && has_reached!(
+                                    self.reading.since(self.since_three),
+                                    Ticks::new(20u32)
+                                )
                             {
                                 self.since_three = self
                                     .reading
@@ -498,8 +508,10 @@ impl Works {
                     self.delay0_in = true;
                 } else {
                     if !self.delay0_out
-                        && now_.since(self.delay0_since)
-                            >= Ticks::new(20u32)
+                        && has_reached!(
+                            now_.since(self.delay0_since),
+                            Ticks::new(20u32)
+                        )
                     {
                         self.delay0_out = true;
                     }
@@ -510,8 +522,10 @@ impl Works {
                     self.delay0_in = false;
                 } else {
                     if self.delay0_out
-                        && now_.since(self.delay0_since)
-                            >= Ticks::new(30u32)
+                        && has_reached!(
+                            now_.since(self.delay0_since),
+                            Ticks::new(30u32)
+                        )
                     {
                         self.delay0_out = false;
                     }
@@ -618,21 +632,26 @@ impl Works {
             self.was_q_four_9_ = q_four_9__;
             if was_state_idle_ == __WorksRegion0::One
                 && self.region_0 == __WorksRegion0::One
-                && now_.since(self.since_idle) >= Ticks::new(40u32)
+                && has_reached!(
+                    now_.since(self.since_idle), Ticks::new(40u32)
+                )
             {
                 self.since_idle = now_.since(Ticks::new(40u32));
             }
             if was_state_idle_ == __WorksRegion0::Two
                 && self.region_0 == __WorksRegion0::Two
-                && now_.since(self.since_idle)
-                    >= Ticks::new(4000u32)
+                && has_reached!(
+                    now_.since(self.since_idle),
+                    Ticks::new(4000u32)
+                )
             {
                 self.since_idle = now_.since(Ticks::new(4000u32));
             }
             if was_state_three_ == __WorksRegion1::Three
                 && self.region_1 == __WorksRegion1::Three
-                && now_.since(self.since_three)
-                    >= Ticks::new(20u32)
+                && has_reached!(
+                    now_.since(self.since_three), Ticks::new(20u32)
+                )
             {
                 self.since_three = now_.since(Ticks::new(20u32));
             }

@@ -78,8 +78,10 @@ impl Vat {
                 self.delay0_in = false;
             } else {
                 if self.delay0_out
-                    && now_.since(self.delay0_since)
-                        >= Ticks::new(500u32)
+                    && has_reached!(
+                        now_.since(self.delay0_since),
+                        Ticks::new(500u32)
+                    )
                 {
                     self.delay0_out = false;
                 }
@@ -91,8 +93,10 @@ impl Vat {
                 self.delay1_in = true;
             } else {
                 if !self.delay1_out
-                    && now_.since(self.delay1_since)
-                        >= Ticks::new(1000u32)
+                    && has_reached!(
+                        now_.since(self.delay1_since),
+                        Ticks::new(1000u32)
+                    )
                 {
                     self.delay1_out = true;
                 }
@@ -103,8 +107,10 @@ impl Vat {
                 self.delay1_in = false;
             } else {
                 if self.delay1_out
-                    && now_.since(self.delay1_since)
-                        >= Ticks::new(200u32)
+                    && has_reached!(
+                        now_.since(self.delay1_since),
+                        Ticks::new(200u32)
+                    )
                 {
                     self.delay1_out = false;
                 }
@@ -116,8 +122,10 @@ impl Vat {
                 self.delay2_in = true;
             } else {
                 if !self.delay2_out
-                    && now_.since(self.delay2_since)
-                        >= Ticks::new(3000u32)
+                    && has_reached!(
+                        now_.since(self.delay2_since),
+                        Ticks::new(3000u32)
+                    )
                 {
                     self.delay2_out = true;
                 }

@@ -42,7 +42,9 @@ impl Lamp {
                 }
             }
             __LampState::On => {
-                if now_.since(self.since) >= Ticks::new(5000u32) {
+                if has_reached!(
+                    now_.since(self.since), Ticks::new(5000u32)
+                ) {
                     self.situation = __LampState::Off;
                     self.since = now_;
                     self.settled = false;
@@ -163,7 +165,9 @@ impl Lamp {
             let q_lamp_: bool = on_on_0__;
             outputs_.lamp = q_lamp_;
             if was_state_ == __LampState::On && self.situation == __LampState::On
-                && now_.since(self.since) >= Ticks::new(5000u32)
+                && has_reached!(
+                    now_.since(self.since), Ticks::new(5000u32)
+                )
             {
                 self.since = now_.since(Ticks::new(5000u32));
             }

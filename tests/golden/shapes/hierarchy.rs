@@ -95,9 +95,10 @@ impl Cell {
                                             }
                                         }
                                         __CellRegion0::Settle => {
-                                            if now_.since(self.since_fill)
-                                                >= Ticks::new(5000u32)
-                                            {
+                                            if has_reached!(
+                                                now_.since(self.since_fill),
+                                                Ticks::new(5000u32)
+                                            ) {
                                                 self.region_0 = __CellRegion0::Filled;
                                                 moves_39__ = true;
                                             }
@@ -109,9 +110,10 @@ impl Cell {
                                     );
                                     match self.region_3 {
                                         __CellRegion3::Mix => {
-                                            if now_.since(self.since_mix)
-                                                >= Ticks::new(10000u32)
-                                            {
+                                            if has_reached!(
+                                                now_.since(self.since_mix),
+                                                Ticks::new(10000u32)
+                                            ) {
                                                 self.region_3 = __CellRegion3::Rest;
                                                 moves_39__ = true;
                                                 self.since_mix = now_;
@@ -119,8 +121,10 @@ impl Cell {
                                         }
                                         __CellRegion3::Rest => {
                                             if inputs_.start
-                                                && now_.since(self.since_mix)
-                                                    >= Ticks::new(2000u32)
+                                                && has_reached!(
+                                                    now_.since(self.since_mix),
+                                                    Ticks::new(2000u32)
+                                                )
                                             {
                                                 self.region_3 = __CellRegion3::Mix;
                                                 moves_39__ = true;
@@ -165,9 +169,10 @@ impl Cell {
                     __CellRegion3::Rest => {
                         self.passed_mix = now_.since(self.since_mix)
                             >= Ticks::new(2000u32);
-                        if now_.since(self.since_mix)
-                            >= Ticks::new(2000u32)
-                        {
+                        if has_reached!(
+                            now_.since(self.since_mix),
+                            Ticks::new(2000u32)
+                        ) {
                             self.since_mix = now_
                                 .since(Ticks::new(2000u32));
                         }

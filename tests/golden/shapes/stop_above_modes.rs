@@ -87,9 +87,10 @@ impl Cell {
                                         }
                                     }
                                     __CellRegion0::Close => {
-                                        if now_.since(self.since_wait)
-                                            >= Ticks::new(1000u32)
-                                        {
+                                        if has_reached!(
+                                            now_.since(self.since_wait),
+                                            Ticks::new(1000u32)
+                                        ) {
                                             self.region_0 = __CellRegion0::Drill;
                                             moves_33__ = true;
                                         }

@@ -40,13 +40,17 @@ impl Lamp {
                 }
             }
             __LampState::On => {
-                if passed_ >= Ticks::new(5000u32) {
+                if has_reached!(
+                    passed_, Ticks::new(5000u32)
+                ) {
                     self.situation = __LampState::Dim;
                     outputs_.lamp = true;
                 }
             }
             __LampState::Dim => {
-                if passed_ >= Ticks::new(3000u32) {
+                if has_reached!(
+                    passed_, Ticks::new(3000u32)
+                ) {
                     if !inputs_.on {
                         self.situation = __LampState::Off;
                     } else {

@@ -133,6 +133,10 @@ impl<'m> Printer<'_, 'm> {
                 let (state, variant) = (self.get(*place), self.state(*place, steps[0]));
                 (quote!(#state != #variant), Binds::Compare)
             }
+            Expr::Compare(Comparison::Less, time, limit) if matches!(**limit, Expr::Value(Value::Ticks(_))) => {
+                let (p, time, limit) = (&self.cx.p, self.value(time), self.value(limit));
+                (quote!(#p::has_reached!(#time, #limit)), Binds::Term)
+            }
             inner => {
                 let inner = self.operand(inner, Binds::Unary);
                 (quote!(!#inner), Binds::Unary)

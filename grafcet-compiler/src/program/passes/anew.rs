@@ -304,6 +304,8 @@ fn is_own(role: Role) -> bool {
             | Role::Active(_)
             | Role::Held(_)
             | Role::Acted(_)
+            | Role::Edge(_)
+            | Role::ActionEdge(_)
     )
 }
 

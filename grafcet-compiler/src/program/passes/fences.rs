@@ -231,10 +231,10 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, within:
             _ => false,
         };
         neighbours = if is_state(&statement) { neighbours + 1 } else { 0 };
-        // Their time, known in front of the second one, is found between them.
-        let is_time = |one: &Statement<'m>| matches!(one, Statement::Set(_, Expr::Since(..)));
-        let times = all.iter().rev().take_while(|one| is_time(one)).count();
-        let front = all.len() - times;
+        // Their time, known in front of the second one, is found between them, and so is whether a step rises for which it waits.
+        let is_found =
+            |one: &Statement<'m>| matches!(one, Statement::Set(_, Expr::Since(..) | Expr::Is(..) | Expr::Place(_)));
+        let front = all.len() - all.iter().rev().take_while(|one| is_found(one)).count();
         let dispatches = matches!((all[..front].last(), &statement), (Some(Statement::Match(one, ..)), Statement::Match(other, ..)) if one != other);
         if dispatches {
             all.insert(front, Statement::Fence(Fence::Memory));

@@ -38,6 +38,7 @@
 //! - `direct`: outputs are put together in their own places
 //! - `fences`: where LLVM would make more of the code than it has to
 //! - `common`: what many states ask first is asked in front of the match
+//! - `limits`: whether a time has reached its limit is asked as "not less"
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
 //! `share` (what lists have in common, `alike` what only looks different), `search` on `early` (where it ends without another look), `several` and `rounds` also on `parts` (another order, in which those of one region stand together; `belonging`, where regions only look at each other) and `among` (which
@@ -64,6 +65,7 @@ mod fold;
 mod forward;
 mod hoist;
 mod kinds;
+mod limits;
 mod live;
 mod many;
 mod moved;
@@ -128,6 +130,8 @@ passes! {
     Moved,
     Search,
     Several,
+    /// The actions of several regions after the evolution, within `Several`, if that is shorter.
+    Apart,
     Rounds,
     Starting,
     Stays,
@@ -152,6 +156,7 @@ passes! {
     Direct,
     Fences,
     Common,
+    Limits,
 }
 
 impl Pass {
@@ -175,10 +180,30 @@ impl Pass {
 pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     let is_forced = program.forced.is_some();
     let wants = |pass: Pass| wanted.contains(&pass) && !(is_forced && pass.follows_cycles());
-    for pass in Pass::ALL {
+    for (at, pass) in Pass::ALL.into_iter().enumerate() {
+        if pass == Pass::Several && wants(pass) && wants(Pass::Apart) {
+            apart(program, &Pass::ALL[at..], &wants);
+            return;
+        }
         if wants(pass) {
             apply(pass, program, &wants);
         }
+    }
+}
+
+/// The rest of the passes on the cycle as it is, and on the one whose actions stand apart: the shorter one is left.
+fn apart(program: &mut Program<'_>, passes: &[Pass], wants: &dyn Fn(Pass) -> bool) {
+    let mut other = several::apart(program);
+    if let Some(other) = &mut other {
+        for pass in passes.iter().copied().skip(1).filter(|pass| wants(*pass)) {
+            apply(pass, other, wants);
+        }
+    }
+    for pass in passes.iter().copied().filter(|pass| wants(*pass)) {
+        apply(pass, program, wants);
+    }
+    if let Some(other) = other.filter(|other| other.is_shorter(program)) {
+        *program = other;
     }
 }
 
@@ -195,7 +220,7 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
             let [known, join, told, moved] = [Pass::Known, Pass::Join, Pass::Told, Pass::Moved].map(wants);
             split::pass(program, &split::Options { known, join, told, moved });
         }
-        Pass::Known | Pass::Join | Pass::Told | Pass::Moved => {}
+        Pass::Known | Pass::Join | Pass::Told | Pass::Moved | Pass::Apart => {}
         Pass::Search => search::pass(program, wants(Pass::Told)),
         Pass::Decompose => decompose::pass(program),
         Pass::Outputs => outputs::pass(program),
@@ -226,6 +251,7 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
         Pass::Direct => direct::pass(program),
         Pass::Fences => fences::pass(program),
         Pass::Common => common::pass(program),
+        Pass::Limits => limits::pass(program),
     }
 }
 

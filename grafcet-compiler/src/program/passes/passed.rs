@@ -27,7 +27,7 @@ const BOUNDED: usize = 3;
 /// What nothing can be longer than that is compared with a reading of the clock.
 const LONGEST: u32 = 1 << 31;
 
-/// From so many in a match that other ways pass by.
+/// From so many in a match that other ways pass by, and where what comes after its arms asks for it, too.
 const INNER_ARMS: usize = 4;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -56,25 +56,27 @@ fn within<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, s
 
 fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, since: PlaceId, least: usize) {
     let asks = |statement: &Statement<'_>| match statement {
-        Statement::Match(_, arms, _) => count(arms, since) >= least,
+        Statement::Match(_, arms, otherwise) => {
+            let asking = count(arms, since);
+            asking >= least && (asking >= INNER_ARMS || !is_read_in(otherwise, since))
+        }
         _ => false,
     };
     let Some(at) = block.iter().position(asks) else { return };
-    let Statement::Match(_, arms, otherwise) = &mut block[at] else { return };
-    if is_read_in(otherwise, since) || arms.iter().any(|(_, body)| !asks_first(body, since)) {
+    if !asks_first(std::slice::from_ref(&block[at]), since) {
         return;
     }
     let passed = PlaceId(places.len());
     let time = |expr: &Expr<'_>| is_time(expr, since).then_some(Expr::Place(passed));
-    for (_, body) in arms.iter_mut() {
+    let bounded = bounds(&block[at], since);
+    for body in blocks_mut(&mut block[at]) {
         rewrite(body, &mut |expr| replaced(expr, &time));
-    }
-    let bounded = arms.iter().filter(|(_, body)| bounds(body, since)).count();
-    if bounded >= BOUNDED {
-        for (_, body) in arms {
+        if bounded >= BOUNDED {
             without_bounds(body, since);
             without_empty(body);
         }
+    }
+    if bounded >= BOUNDED {
         let longest = || Expr::Value(Value::Ticks(LONGEST));
         let back = Statement::Set(since, Expr::Since(Box::new(Expr::Now), Box::new(longest())));
         block.insert(at, Statement::If(at_least(Expr::Place(passed), longest()), vec![back], Vec::new()));
@@ -100,8 +102,13 @@ fn is_bound(statement: &Statement<'_>, since: PlaceId) -> bool {
     }
 }
 
-fn bounds(body: &[Statement<'_>], since: PlaceId) -> bool {
-    body.iter().any(|one| is_bound(one, since) || blocks(one).iter().any(|block| bounds(block, since)))
+/// In how many places it does.
+fn bounds(statement: &Statement<'_>, since: PlaceId) -> usize {
+    let mut all = usize::from(is_bound(statement, since));
+    for block in blocks(statement) {
+        all += block.iter().map(|one| bounds(one, since)).sum::<usize>();
+    }
+    all
 }
 
 fn without_bounds(body: &mut Vec<Statement<'_>>, since: PlaceId) {
@@ -136,6 +143,9 @@ fn asks_first(body: &[Statement<'_>], since: PlaceId) -> bool {
         let inner = match statement {
             Statement::Set(..) => true,
             Statement::If(_, then, otherwise) => asks_first(then, since) && asks_first(otherwise, since),
+            Statement::Match(_, arms, otherwise) => {
+                arms.iter().all(|(_, body)| asks_first(body, since)) && asks_first(otherwise, since)
+            }
             _ => !effects.writes.contains(&since),
         };
         if !inner {

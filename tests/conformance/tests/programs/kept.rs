@@ -20,7 +20,7 @@ fn what_has_been_asked_is_not_asked_again_until_it_changes() {
          Wait -[a && n < 3]-> Fill; Wait -[b && n < 3]-> Rest; Fill -[!a && 4ms/Fill]-> Wait; Rest -[a && 3ms/Rest]-> Fill; Rest -[b && 3ms/Rest]-> Wait; }";
     let program = text(chart);
     let cycle = program.split("deadline").next().unwrap_or_default();
-    assert_eq!(cycle.matches(">= 3ms").count(), 1, "{program}");
+    assert_eq!(cycle.matches("< 3ms)").count(), 1, "{program}");
     // What led into the step has asked it, before the step counts.
     assert!(program.contains("on.Fill.2 = true"), "{program}");
     let branches = chart.replacen(
@@ -49,7 +49,7 @@ fn what_may_panic_is_not_asked_first() {
 fn a_time_that_is_over_stays_over_for_any_length_of_time() {
     let chart = "sfc Long { input a, b: bool; output p, q, r: bool; initial step One { p; } step Two { q; } step Three { r; } step Four { L 9ms p; } \
          One -[a && 5ms/One]-> Two -[b && 7ms/Two]-> Three -[a && b && 6ms/Three]-> Four -[!a && 4ms/Four]-> One; }";
-    assert!(text(chart).contains("  if passed >= 2147483648ms: since = since(now, 2147483648ms)"), "{}", text(chart));
+    assert!(text(chart).contains("  if !(passed < 2147483648ms): since = since(now, 2147483648ms)"), "{}", text(chart));
     let mut lines = "---\n---\n".to_owned();
     let mut now = u32::MAX - 3;
     // Each step waits for four cycles that are as long as a cycle may be, twice around the clock.
@@ -167,6 +167,68 @@ pub(super) fn line(stop: &str) -> String {
     }
     _ = write!(text, "S8 -[!b]-> Idle; Stopped -[!stop]-> Idle; any except (Idle, Stopped) -[{stop}]-> Stopped; }}");
     text
+}
+
+/// Six steps with two ways out of each, and two branches: each way to a step would do what the step does.
+pub(super) fn mash() -> String {
+    let mut text = "sfc Mash { input a, b, c: bool; output p, q: bool; output power, speed: u16 = 0; var n: u8 = 0; \
+                    step X1 { p; P1 n = n % 9 + 1; } step X2; step Y1 { q if b; } step Y2; "
+        .to_owned();
+    for number in 0..6 {
+        let (initial, on, far) = (if number == 0 { "initial " } else { "" }, (number + 1) % 6, (number + 2) % 6);
+        _ = write!(text, "{initial}step S{number} {{ p; q if a; power = {number}00; speed = {number}; }} ");
+        _ = write!(text, "S{number} -[a && b]-> S{on}; S{number} -[b && !a && 3ms/S{number}]-> S{far}; ");
+    }
+    text + "S5 -[c && !b]-> (X1, Y1); X1 -[a || 4ms/X1]-> X2; Y1 -[b]-> Y2; Y2 -[2ms/Y2 && !a]-> Y1; (X2, Y2) -[c]-> S0; }"
+}
+
+/// Where many ways lead to the same states, what is done in them is looked up after the evolution; and it stays as it was where that is no shorter.
+#[test]
+fn actions_stand_apart_where_that_is_shorter() {
+    let mut without = Pass::ALL.to_vec();
+    without.retain(|pass| *pass != Pass::Apart);
+    for (chart, is_apart) in [(&mash(), true), (&doors("q;", "S door;"), false)] {
+        let model = read(chart);
+        let [all, before] =
+            [&Pass::ALL[..], &without].map(|passes| optimised(&model, passes).expect("a program").to_string());
+        assert_eq!(all != before, is_apart, "{all}\n{before}");
+        each_left_out(&model, &storm(&["a", "b", "c"], 300), 150);
+    }
+    let text = optimised(&read(&mash()), &Pass::ALL).expect("a program").to_string();
+    assert_eq!(text.matches("power = 300").count(), 1, "{text}");
+}
+
+/// Whether another branch's step has been entered is found once for all states of the branch that waits for it, and no region is left as it was lowered.
+#[test]
+fn the_edge_of_another_regions_step_is_found_once() {
+    let chart = "sfc Cross { input go, a, b, c, ok, stop: bool; input n: u8; output p, q, r, s, t: bool; var k: u8 = 0; \
+         initial step Idle { p; } step Fill { q; } step Heat { r; } step Hold { r if rising(Stir.X); } step Stir { s; P1 k = k % 9 + 1; } step Rest { P k = k % 7 + 2; } \
+         step Up { s; t; P0 k = 0; } step Vent { t if rising(b); } step Shut { S p; } step Open { R p; t if a; } step Drain { q; D 2ms s; } \
+         Idle -[rising(go)]-> Fill -[rising(n >= 40) || a]-> (Heat, Stir, Vent); \
+         Heat -[rising(n >= 60) || b]-> Hold -[falling(n >= 60) && 1ms/Hold]-> Heat; Heat -[stop]-> Hold; \
+         Stir -[rising(Heat.X)]-> Rest -[rising(Hold.X)]-> Stir; Stir -[a]-> Up -[!a]-> Stir; \
+         Vent -[rising(Rest.X) || b]-> Shut -[falling(n >= 40) || stop]-> Open -[c]-> Vent; Vent -[stop && 3ms/Vent]-> Open; \
+         (Hold, Rest, Shut) -[ok]-> Drain -[!a || ok]-> Idle; }";
+    let program = text(chart);
+    assert!(!program.contains("entered."), "{program}");
+    let cycle = program.split("deadline").next().unwrap_or_default();
+    assert_eq!(cycle.matches(".now = state.").count(), 3, "{program}");
+    for dialect in ["sfc", "grafcet"] {
+        let chart = if dialect == "sfc" { chart.to_owned() } else { chart.replace("P k = k % 7 + 2;", "") };
+        let model = read(&chart.replacen("sfc", dialect, 1));
+        each_left_out(&model, &storm(&["go", "a", "b", "c", "ok", "stop"], 300), 150);
+    }
+    let press = "grafcet Press { input a, b, c, stop: bool; output p, q, r: bool; var n: u8 = 0; \
+         partial Safety { initial step Ready; step Stopped { force Robot {}; force Modes {}; } step Acked { force Robot {Parked}; force Modes {INIT}; } \
+             Ready -[stop]-> Stopped -[!stop && rising(a)]-> Acked -[true]-> Ready; } \
+         partial Modes { initial step Manual { p; } enclosing step Auto { partial Press { linked step Wait; step Feed { q; } step Clamp { r; P1 n = n % 5 + 1; } step Lower { q; r; } step Offer; \
+                 Wait -[b]-> Feed -[!b]-> Clamp -[c]-> Lower -[a || n > 2]-> Offer -[rising(Robot::Carry.X)]-> Wait; } } \
+             Manual -[a && !stop]-> Auto -[!a && Press::Wait.X]-> Manual; } \
+         partial Robot { initial step Parked; step Reach { p; } step Grip { q; } step Carry { r; } \
+             Parked -[Press::Offer.X]-> Reach -[c]-> Grip -[!c]-> Carry -[b]-> Parked; } }";
+    let program = text(press);
+    assert!(program.matches("state.Parked is Carry").count() <= 2, "{program}");
+    each_left_out(&read(press), &storm(&["a", "b", "c", "stop"], 400), 150);
 }
 
 /// The stop of many steps is asked in front of the match; what may panic, only beside one of these.

@@ -14,7 +14,7 @@ use grafcet_conformance::program::{Outcome, compare, program as optimised, sleep
 use grafcet_conformance::reader;
 
 use super::forks::WASH;
-use super::kept::{doors, line};
+use super::kept::{doors, line, mash};
 use super::regions::{BOXES, CELL, PLANT};
 use super::{read, recorded};
 /// A small chart for each pass: its program in front of it and after it, as pseudo-code.
@@ -57,6 +57,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Moved, waits),
         (Pass::Search, stairs),
         (Pass::Several, pair),
+        (Pass::Apart, &mash()),
         (Pass::Rounds, PLANT),
         (Pass::Starting, watch),
         (Pass::Stays, CELL),
@@ -81,6 +82,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Direct, WASH),
         (Pass::Fences, pair),
         (Pass::Common, &line("stop && a")),
+        (Pass::Limits, &wash()),
     ];
     assert_eq!(cases.map(|(pass, _)| pass), Pass::ALL, "a chart for each pass, in their order");
     for (at, (pass, chart)) in cases.into_iter().enumerate() {
@@ -93,6 +95,7 @@ fn each_pass_is_as_recorded() {
             Pass::Moved,
             Pass::Search,
             Pass::Several,
+            Pass::Apart,
             Pass::Rounds,
             Pass::Starting,
             Pass::Stays,

@@ -58,13 +58,17 @@ impl Crossing {
                 goes_ = !self.edge0_before && inputs_.button;
             }
             __CrossingState::Stop => {
-                if passed_ >= Ticks::new(2000u32) {
+                if has_reached!(
+                    passed_, Ticks::new(2000u32)
+                ) {
                     outputs_.chirp = true;
                     goes_ = true;
                 }
             }
             __CrossingState::Walk => {
-                if passed_ >= Ticks::new(8000u32) {
+                if has_reached!(
+                    passed_, Ticks::new(8000u32)
+                ) {
                     goes_ = true;
                 } else {
                     outputs_.chirp = passed_ < Ticks::new(1000u32);

@@ -1,6 +1,7 @@
 //! Whose a statement is: of the regions whose states it writes, or for whose sake something is computed.
 
 use super::super::belonging::Groups;
+use super::super::live::Places;
 use super::super::parts::{gathers, regions};
 use super::super::uses::{Effects, each_read, each_written, reads_from};
 use crate::list::List;
@@ -13,8 +14,9 @@ pub(super) fn owners(
     places: &[PlaceInfo<'_>],
     list: &[Statement<'_>],
     states: &[PlaceId],
+    later: &Places,
 ) -> (Vec<Set<usize>>, Vec<Option<usize>>) {
-    let mut owning = Owning { groups: Groups::new(states.len()), of: vec![None; places.len()], states };
+    let mut owning = Owning { groups: Groups::new(states.len()), of: vec![None; places.len()], states, later };
     owning.unite(places, list);
     let regions = regions(places, list, &list.iter().map(Effects::of).list());
     let mut keys = vec![None; list.len()];
@@ -29,6 +31,8 @@ struct Owning<'s> {
     /// By place: a region that depends on this truth at once.
     of: Vec<Option<usize>>,
     states: &'s [PlaceId],
+    /// What is read after the round.
+    later: &'s Places,
 }
 
 impl Owning<'_> {
@@ -87,8 +91,12 @@ impl Owning<'_> {
                         readers.insert(*key);
                     }
                 }
-                if let ([one @ Some(_)], false) = (&readers[..], regions.is_empty()) {
-                    return *one;
+                if let ([Some(one)], false) = (&readers[..], regions.is_empty()) {
+                    // Whether another region's step rises is found in each round, whatever the reader's own state.
+                    let is_own = regions.iter().any(|region| self.groups.find(*region) == *one);
+                    if is_own || !self.later.contains(*place) {
+                        return Some(*one);
+                    }
                 }
             }
         }

@@ -14,11 +14,14 @@ use super::owners::owners;
 use crate::list::List;
 use crate::model::StepId;
 use crate::program::build::no;
-use crate::program::{PlaceId, Statement, Type, Value};
+use crate::program::{Expr, PlaceId, Statement, Type, Value};
 use crate::sorted::Set;
 
 /// More ends of ways than this are too many.
 const ENDS: usize = 500;
+
+/// From so many states on a truth is told in front of the match on them.
+const TOLD: usize = 4;
 
 /// Places that a round uses.
 pub(super) struct Free {
@@ -46,7 +49,7 @@ pub(super) struct Turn<'t, 'p, 'm> {
 
 impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     pub(super) fn of(several: &'t Several<'p, 'm>, list: &[Statement<'m>], free: &'t Free) -> Self {
-        let (regions, keys) = owners(several.places, list, &several.states);
+        let (regions, keys) = owners(several.places, list, &several.states, &several.read_after);
         let effects = list.iter().map(Effects::of).list();
         let parts = cut((several.places, &several.situations()), list.to_vec(), &effects, &regions, &keys);
         let mut later = vec![Set::new()];
@@ -185,9 +188,11 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         let is_given = !written.is_empty() && matches!(after[state.0], Fact::Is(_));
         match env.facts[state.0] {
             Fact::Among(list) if !is_given => {
-                let part = Part { statements: part.statements.clone(), regions: part.regions.clone() };
-                let done = tidy(self.several.single(region, part, env));
-                Some(whole(done, state, env.lists[list].len()))
+                let (mut done, rest) = self.in_front(&part.statements, env.lists[list].len());
+                let part = Part { statements: rest, regions: part.regions.clone() };
+                let arms = tidy(self.several.single(region, part, env));
+                done.extend(whole(arms, state, env.lists[list].len()));
+                Some(done)
             }
             Fact::Is(Value::Step(step)) if !written.is_empty() => {
                 let (mut ways, _) = self.several.ways(region, &vec![step], &part.statements, env, false)?;
@@ -197,6 +202,31 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
             }
             _ => Some(tidy(self.several.swept(folded, env))),
         }
+    }
+
+    /// What asks for the state, and of which nothing in its part makes use, as whether another region may have seen its step rise: said once, in front of the match, where
+    /// each of its arms would say it. And the rest.
+    #[allow(clippy::type_complexity, reason = "two lists")]
+    fn in_front(&self, list: &[Statement<'m>], states: usize) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
+        let (mut front, mut rest): (Vec<Statement<'m>>, Vec<Statement<'m>>) = (Vec::new(), Vec::new());
+        let mut passed = Effects::default();
+        for (at, statement) in list.iter().enumerate() {
+            let is_told = match statement {
+                Statement::Set(place, value @ Expr::Is(..)) if states >= TOLD => {
+                    let is_own = !self.is_kept(*place) && is_pure(value);
+                    is_own && !list[at + 1..].iter().any(|other| reads_from(other, *place))
+                }
+                _ => false,
+            };
+            let effects = Effects::of(statement);
+            if is_told && effects.may_swap(&passed) {
+                front.push(statement.clone());
+            } else {
+                passed.join(&effects);
+                rest.push(statement.clone());
+            }
+        }
+        (front, rest)
     }
 
     /// Whether a place holds its value whoever reads it.

@@ -216,11 +216,9 @@ impl<'m> Several<'_, 'm> {
         let wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;
         let after = list.split_off(at);
-        let (before, mut rest) = needed(&list, wanted);
-        // What stays after must not be what stands in front now.
-        let (front, back) = (Effects::of_all(&before), Effects::of_all(&rest));
-        let swaps = front.may_swap(&back) && after.first().is_some_and(|one| Effects::of(one).may_swap(&back));
-        let Some(Statement::Set(place, condition)) = after.first().filter(|_| swaps) else { return None };
+        let (before, mut rest) = needed(&list, wanted)?;
+        let swaps = |one: &&Statement<'m>| Effects::of(one).may_swap(&Effects::of_all(&rest));
+        let Some(Statement::Set(place, condition)) = after.first().filter(swaps) else { return None };
         let (place, condition) = (*place, condition.clone());
         rest.extend(after.into_iter().skip(1));
         let index = Index::whole(self.places.len(), 0, &self.points[0]);
@@ -290,19 +288,27 @@ impl<'m> Several<'_, 'm> {
     }
 }
 
-/// The statements that set what is wanted, and the others.
-fn needed<'m>(list: &[Statement<'m>], mut wanted: Set<PlaceId>) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
+/// The statements that set what is wanted, and the others, if the first can be done before these.
+#[allow(clippy::type_complexity, reason = "two lists")]
+fn needed<'m>(list: &[Statement<'m>], mut wanted: Set<PlaceId>) -> Option<(Vec<Statement<'m>>, Vec<Statement<'m>>)> {
+    let effects = list.iter().map(Effects::of).list();
     let mut in_front = vec![false; list.len()];
-    for (index, statement) in list.iter().enumerate().rev() {
-        let effects = Effects::of(statement);
+    for (index, effects) in effects.iter().enumerate().rev() {
         if !effects.writes.is_disjoint(&wanted) {
             in_front[index] = true;
             wanted.extend(effects.reads.iter().copied());
         }
     }
-    let of = |front: bool| {
-        let those = list.iter().zip(&in_front).filter(|(_, is)| **is == front);
-        those.map(|(statement, _)| statement.clone()).list()
-    };
-    (of(true), of(false))
+    let (mut front, mut back, mut passed) = (Vec::new(), Vec::new(), Effects::default());
+    for ((statement, effects), is_in_front) in list.iter().zip(&effects).zip(in_front) {
+        if !is_in_front {
+            passed.join(effects);
+            back.push(statement.clone());
+        } else if effects.may_swap(&passed) {
+            front.push(statement.clone());
+        } else {
+            return None;
+        }
+    }
+    Some((front, back))
 }

@@ -20,11 +20,13 @@
 //!
 //! Needs: several regions; no loop. What is not understood stays as it is.
 
+mod apart;
 mod clearing;
 mod joint;
 mod prepared;
 mod single;
 
+pub(super) use apart::pass as apart;
 use prepared::{direct, join_wide};
 pub(super) use single::weight;
 
@@ -50,6 +52,11 @@ use crate::model::StepId;
 use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
+    evolve(program, false);
+}
+
+/// Whether the cycle is another one now. Its actions may stand after the evolution.
+fn evolve(program: &mut Program<'_>, apart: bool) -> bool {
     let count = program.places.len();
     let mut places = std::mem::take(&mut program.places);
     let list = program.beside.is_empty().then(Vec::new).unwrap_or_else(|| {
@@ -59,7 +66,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
         list
     });
     program.places = places;
-    match Several::of(program).and_then(|several| several.cycle(&list)) {
+    match Several::of(program).and_then(|several| several.cycle(&list, apart)) {
         // What has not been looked into may ask for the first cycle, which has no place of its own any more.
         Some((start, cycle)) if !asks_first(program, &cycle) => {
             if let (Some(first), Some(Value::Step(step))) =
@@ -68,8 +75,12 @@ pub(super) fn pass(program: &mut Program<'_>) {
                 starting::as_state(program, start, first, step);
             }
             program.cycle = cycle;
+            true
         }
-        _ => program.places.truncate(count),
+        _ => {
+            program.places.truncate(count);
+            false
+        }
     }
 }
 
@@ -163,17 +174,19 @@ impl<'p, 'm> Several<'p, 'm> {
     }
 
     /// The region whose state tells that the first cycle is still to come, and the cycle.
-    fn cycle(&self, list: &[Statement<'m>]) -> Option<(PlaceId, Vec<Statement<'m>>)> {
+    fn cycle(&self, list: &[Statement<'m>], apart: bool) -> Option<(PlaceId, Vec<Statement<'m>>)> {
         let effects = Effects::of_all(list);
         let loops = list.iter().any(|statement| matches!(statement, Statement::Loop { .. }));
         if loops || !effects.writes.contains(&self.first) {
             return None;
         }
         let mut env = Env::of(self.places);
-        let mut start = self.first_cycle(list, &env)?;
+        let (list, actions) = if apart { self.apart(list, &env)? } else { (list.to_vec(), Vec::new()) };
+        each_asked(&actions, &mut |place| _ = env.later.insert(place));
+        let mut start = self.first_cycle(&list, &env)?;
         env.facts[self.first.0] = Fact::Is(Value::Bool(false));
         self.any_situation(&mut env);
-        let mut rest = self.spec(list, &env);
+        let mut rest = self.spec(&list, &env);
         let mut head = self.states[0];
         if let Some(Statement::Match(place, ..)) =
             rest.iter().find(|one| matches!(one, Statement::Match(place, ..) if self.states.contains(place)))
@@ -197,6 +210,7 @@ impl<'p, 'm> Several<'p, 'm> {
             _ => Statement::Match(head, vec![starting], rest),
         });
         cycle.extend(after);
+        cycle.extend(self.acting(&list, &actions));
         Some((head, cycle))
     }
 

@@ -7,7 +7,7 @@ use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
-use super::super::uses::{Effects, each_asked, each_written, writes_to};
+use super::super::uses::{Effects, each_asked, each_read, each_written, is_pure, writes_to};
 use super::{Env, Several, Tie};
 use crate::list::List;
 use crate::model::{Id, StepId};
@@ -39,12 +39,42 @@ impl<'m> Several<'_, 'm> {
         }
         let Fact::Among(list) = env.facts[self.states[region].0] else { return part.statements };
         let states = env.lists[list].clone();
-        let Some(mut arms) = self.arms(region, &states, &part.statements, env) else { return part.statements };
+        let (mut done, rest) = self.of_others(region, &part.statements, env);
+        let mut env = env.clone();
+        self.after(&done, &mut env);
+        let Some(mut arms) = self.arms(region, &states, &rest, &env) else { return part.statements };
         let state = self.states[region];
         let plain = evolution(state, arms.iter().map(|(value, tree)| (*value, tree.copy())).collect());
         let joined = self.joined(region, &mut arms);
         let whole = weight(&joined) + if joined.len() > 1 { DISPATCH } else { 0 };
-        if weight(std::slice::from_ref(&plain)) <= whole { vec![plain] } else { joined }
+        done.extend(if weight(std::slice::from_ref(&plain)) <= whole { vec![plain] } else { joined });
+        done
+    }
+
+    /// What does not ask for the region and is told to others, as whether a step rises for which it waits: it is the same in all its states. And the rest.
+    #[allow(clippy::type_complexity, reason = "two lists")]
+    fn of_others(&self, region: usize, list: &[Statement<'m>], env: &Env) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
+        let later = self.later(env);
+        let (mut others, mut rest, mut passed) = (Vec::new(), Vec::new(), Effects::default());
+        for statement in list {
+            let is_told = match statement {
+                Statement::Set(place, value @ Expr::Is(of, _)) => {
+                    let is_own = *of == self.states[region] || Some(*of) == self.was[region];
+                    let kept = |one: &Statement<'m>| matches!(one, Statement::Set(_, Expr::Place(of)) if of == place);
+                    let is_told = later.contains(*place) || list.iter().any(kept);
+                    !is_own && is_told && !self.places[place.0].is_field && is_pure(value)
+                }
+                _ => false,
+            };
+            let effects = Effects::of(statement);
+            if is_told && effects.may_swap(&passed) {
+                others.push(statement.clone());
+            } else {
+                passed.join(&effects);
+                rest.push(statement.clone());
+            }
+        }
+        (others, rest)
     }
 
     /// What asks for the state before, as what is done when a step is left, and the rest of a part in which nothing evolves, if the first can be done first.
@@ -150,6 +180,7 @@ impl<'m> Several<'_, 'm> {
             for (place, forks) in self.places.iter().zip(&mut index.forks) {
                 *forks &= matches!(place.ty, Type::Bool);
             }
+            self.ask_late(region, &list[..=end], &mut index.forks);
         }
         let mut engine = self.engine(list, &index, region, env);
         engine.tells_all = tells_all;
@@ -177,6 +208,31 @@ impl<'m> Several<'_, 'm> {
             arms.push((Value::Step(*step), tree));
         }
         Some((arms, engine.lists))
+    }
+
+    /// What does not depend on the region, as whether an input or the step of another one rises, is asked where a truth is set that does: it is no matter in
+    /// all other states.
+    fn ask_late(&self, region: usize, list: &[Statement<'m>], forks: &mut [bool]) {
+        let of_region = |place: PlaceId| place == self.states[region] || Some(place) == self.was[region];
+        let mut late: Set<PlaceId> = Set::new();
+        for statement in list {
+            if let Statement::Set(place, value) = statement {
+                let mut is_free = forks[place.0];
+                each_read(value, &mut |read| is_free &= !of_region(read) && !forks[read.0]);
+                if is_free {
+                    late.insert(*place);
+                }
+            }
+        }
+        for statement in list {
+            let decides = matches!(statement, Statement::Set(place, _) if forks[place.0] && !late.contains(place));
+            if !decides {
+                each_asked(std::slice::from_ref(statement), &mut |place| _ = late.remove(&place));
+            }
+        }
+        for place in &*late {
+            forks[place.0] = false;
+        }
     }
 
     /// Truths that are set before they are read, and that nobody reads afterwards: what they hold in front of the statements is of no matter, so they

@@ -1,0 +1,80 @@
+//! The actions apart from the evolution: what is done in a state is looked up once the evolution is over, not at the end of each way to it.
+//!
+//! ```text
+//! match state.A                            match state.A
+//!   Fill:                                    Fill:
+//!     if full:                                 if full: state.A = Heat
+//!       state.A = Heat                       …
+//!       heater = true            ->        fence
+//!     else: valve = true                   match state.A
+//!   …                                        Fill: valve = true
+//!                                            Heat: heater = true
+//! ```
+//!
+//! That is shorter where many ways lead to the same states, and takes a second match on each region that acts. Both cycles go through the passes that come
+//! after, and this one stays if it is shorter by a tenth (`passes::optimise`).
+
+use super::{Env, Several, evolve};
+use crate::list::List;
+use crate::program::build::no;
+use crate::program::passes::uses::Effects;
+use crate::program::{Fence, PlaceId, Program, Statement, Value};
+use crate::sorted::Set;
+
+use super::super::engine::Fact;
+
+/// The same program with its actions apart.
+pub(in super::super) fn pass<'m>(program: &Program<'m>) -> Option<Program<'m>> {
+    let mut other = program.clone();
+    evolve(&mut other, true).then_some(other)
+}
+
+impl<'m> Several<'_, 'm> {
+    /// What evolves, with all that asks how it has, and the actions.
+    #[allow(clippy::type_complexity, reason = "two lists")]
+    pub(super) fn apart(&self, list: &[Statement<'m>], env: &Env) -> Option<(Vec<Statement<'m>>, Vec<Statement<'m>>)> {
+        let (body, _) = self.folded(list, env);
+        let body = self.swept(body, env);
+        let end = body.iter().rposition(|one| self.decides(std::slice::from_ref(one)))?;
+        let effects = body.iter().map(Effects::of).list();
+        let mut evolves = vec![false; body.len()];
+        let mut told: Set<PlaceId> = Set::new();
+        for (at, effects) in effects.iter().enumerate() {
+            let asks = effects.reads.iter().any(|place| told.contains(place));
+            if at <= end || asks {
+                evolves[at] = true;
+                let is_told = |place: &&PlaceId| !self.places[place.0].is_field && !self.states.contains(place);
+                told.extend(effects.writes.iter().filter(is_told).copied());
+            }
+        }
+        // What may not be passed by a later one evolves, too.
+        while let Some(at) = (end + 1..body.len()).find(|at| {
+            !evolves[*at] && (at + 1..body.len()).any(|later| evolves[later] && !effects[*at].may_swap(&effects[later]))
+        }) {
+            evolves[at] = true;
+        }
+        let (mut evolving, mut acting) = (Vec::new(), Vec::new());
+        for (one, evolves) in body.into_iter().zip(evolves) {
+            if evolves { evolving.push(one) } else { acting.push(one) }
+        }
+        // Who looks at the first cycle by itself asks for it, and nobody else.
+        evolving.push(Statement::Set(self.first, no()));
+        (!acting.is_empty()).then_some((evolving, acting))
+    }
+
+    /// The actions in all situations.
+    pub(super) fn acting(&self, evolving: &[Statement<'m>], actions: &[Statement<'m>]) -> Vec<Statement<'m>> {
+        if actions.is_empty() {
+            return Vec::new();
+        }
+        let mut env = Env::of(self.places);
+        for place in &*Effects::of_all(evolving).writes {
+            env.facts[place.0] = Fact::Nothing;
+        }
+        env.facts[self.first.0] = Fact::Is(Value::Bool(false));
+        self.any_situation(&mut env);
+        let mut done = vec![Statement::Fence(Fence::Memory)];
+        done.extend(self.spec(actions, &env));
+        done
+    }
+}
