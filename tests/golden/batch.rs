@@ -442,7 +442,7 @@ impl Batch {
             lamp: false,
             speed: 0,
         };
-        let elapsed_: ::grafcet::__private::Ticks = now_.since(self.reading);
+        let mut elapsed_: ::grafcet::__private::Ticks = now_.since(self.reading);
         self.reading = now_;
         ::grafcet::__private::fence_beyond_armv6m();
         self.time_heat = self.time_heat + elapsed_;
@@ -475,392 +475,257 @@ impl Batch {
                 }
             }
         }
+        let mut was_state_idle_: __BatchRegion0 = __BatchRegion0::Idle;
+        let mut clears_idle__fill_heat_: ::grafcet::__private::bool = false;
+        let mut clears__fill_heat__stir_: ::grafcet::__private::bool = false;
+        let mut clears_stir_drain_: ::grafcet::__private::bool = false;
+        let mut clears_drain_idle_: ::grafcet::__private::bool = false;
+        let mut entered_idle_: ::grafcet::__private::bool = false;
+        let mut entered_fill_: ::grafcet::__private::bool = false;
+        let mut entered_heat_: ::grafcet::__private::bool = false;
+        let mut left_stir_: ::grafcet::__private::bool = false;
+        let mut entered_stir_: ::grafcet::__private::bool = false;
+        let mut entered_drain_: ::grafcet::__private::bool = false;
+        let mut began_: ::grafcet::__private::bool = false;
         match self.region_0 {
             __BatchRegion0::INIT => {
+                elapsed_ = ::grafcet::__private::Ticks::ZERO;
                 self.time_heat = ::grafcet::__private::Ticks::ZERO;
                 self.region_0 = __BatchRegion0::Idle;
-                outputs_.lamp = true;
+                began_ = true;
+                self.since_idle = self.reading;
+                entered_idle_ = true;
+            }
+            __BatchRegion0::Idle => {
+                if !self.edge0_before && inputs_.start {
+                    clears_idle__fill_heat_ = true;
+                    entered_fill_ = true;
+                    entered_heat_ = true;
+                    self.region_0 = __BatchRegion0::Fill;
+                    self.region_1 = __BatchRegion1::Heat;
+                }
+            }
+            __BatchRegion0::Stir => {
+                was_state_idle_ = __BatchRegion0::Stir;
+                if ({
+                    let since_3_ = self.reading.since(self.since_idle);
+                    let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
+                    since_3_ >= ticks_2000_
+                }) && self.delay0_out
+                {
+                    clears_stir_drain_ = true;
+                    left_stir_ = true;
+                    entered_drain_ = true;
+                    self.region_0 = __BatchRegion0::Drain;
+                }
+            }
+            __BatchRegion0::Drain => {
+                was_state_idle_ = __BatchRegion0::Drain;
+                if {
+                    let level = inputs_.level;
+                    level == 0
+                } {
+                    clears_drain_idle_ = true;
+                    entered_idle_ = true;
+                    self.region_0 = __BatchRegion0::Idle;
+                }
             }
             _ => {
-                let mut opaque_ran_: ::grafcet::__private::bool = false;
-                let mut by_leaving_heat_: ::grafcet::__private::bool = false;
-                let mut on_heat_5__: ::grafcet::__private::bool = false;
-                let mut on_drain_10__: ::grafcet::__private::bool = false;
-                let mut on_drain_11__: ::grafcet::__private::bool = false;
-                let any_69__: ::grafcet::__private::bool;
-                match self.region_0 {
-                    __BatchRegion0::Idle => {
-                        if !self.edge0_before && inputs_.start {
-                            self.region_0 = __BatchRegion0::Fill;
-                            self.region_1 = __BatchRegion1::Heat;
-                            self.time_heat = ::grafcet::__private::Ticks::ZERO;
-                            outputs_.valve = true;
-                            on_heat_5__ = true;
-                            outputs_.lamp = true;
-                            self.acted_heat = 3;
-                            self.held_heat_3_ = true;
-                            self.count = {
-                                let count = self.count;
-                                count + 1
-                            };
-                            actions_
-                                .heat(
-                                    if self.was_q_heat {
-                                        ::grafcet::__private::Phase::Repeated
-                                    } else {
-                                        ::grafcet::__private::Phase::First
-                                    },
-                                    {
-                                        let hot = self.params.hot;
-                                        hot
-                                    },
-                                );
-                            outputs_.speed = 10;
-                            self.was_q_heat = true;
-                            any_69__ = true;
-                        } else {
-                            outputs_.lamp = true;
-                            by_leaving_heat_ = self.was_q_heat
-                                && (self.held_heat_3_ || self.held_stir_7_);
-                            if by_leaving_heat_ {
-                                match self.acted_heat {
-                                    3 => {
-                                        actions_
-                                            .heat(
-                                                ::grafcet::__private::Phase::Final,
-                                                {
-                                                    let hot = self.params.hot;
-                                                    hot
-                                                },
-                                            );
-                                        opaque_ran_ = true;
-                                    }
-                                    7 => {
-                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                        opaque_ran_ = true;
-                                    }
-                                    _ => {}
-                                }
-                            }
-                            if self.was_q_heat && !by_leaving_heat_ {
-                                match self.acted_heat {
-                                    3 => {
-                                        actions_
-                                            .heat(
-                                                ::grafcet::__private::Phase::Final,
-                                                {
-                                                    let hot = self.params.hot;
-                                                    hot
-                                                },
-                                            );
-                                        opaque_ran_ = true;
-                                    }
-                                    7 => {
-                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                        opaque_ran_ = true;
-                                    }
-                                    _ => {}
-                                }
-                            }
-                            any_69__ = opaque_ran_;
+                was_state_idle_ = __BatchRegion0::Fill;
+                match self.region_1 {
+                    __BatchRegion1::Heat => {
+                        if inputs_.full && self.time_heat >= self.params.soak {
+                            clears__fill_heat__stir_ = true;
+                            entered_stir_ = true;
+                            self.region_1 = __BatchRegion1::NONE;
+                            self.region_0 = __BatchRegion0::Stir;
                         }
                     }
-                    __BatchRegion0::Stir => {
-                        if ({
-                            let since_3_ = self.reading.since(self.since_idle);
-                            let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
-                            since_3_ >= ticks_2000_
-                        }) && self.delay0_out
-                        {
-                            self.region_0 = __BatchRegion0::Drain;
-                            on_drain_10__ = true;
-                            on_drain_11__ = {
-                                let level = inputs_.level;
-                                level > 3
-                            };
-                            by_leaving_heat_ = self.was_q_heat
-                                && (self.held_heat_3_ || self.held_stir_7_);
-                            self.held_stir_7_ = false;
-                            self.sd_ff_pump = false;
-                            if by_leaving_heat_ {
-                                match self.acted_heat {
-                                    3 => {
-                                        actions_
-                                            .heat(
-                                                ::grafcet::__private::Phase::Final,
-                                                {
-                                                    let hot = self.params.hot;
-                                                    hot
-                                                },
-                                            );
-                                    }
-                                    7 => {
-                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                    }
-                                    _ => {}
-                                }
-                            }
-                            {
-                                #[allow(unused_mut, unused_variables)]
-                                let mut count = self.count;
-                                #[allow(unused_braces)]
-                                {
-                                    if count > 3 {
-                                        count = 0;
-                                    }
-                                }
-                                self.count = count;
-                            }
-                            if self.was_q_heat && !by_leaving_heat_ {
-                                match self.acted_heat {
-                                    3 => {
-                                        actions_
-                                            .heat(
-                                                ::grafcet::__private::Phase::Final,
-                                                {
-                                                    let hot = self.params.hot;
-                                                    hot
-                                                },
-                                            );
-                                    }
-                                    7 => {
-                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                    }
-                                    _ => {}
-                                }
-                            }
-                            self.was_q_heat = false;
-                            any_69__ = true;
-                        } else {
-                            actions_
-                                .heat(
-                                    if self.was_q_heat {
-                                        ::grafcet::__private::Phase::Repeated
-                                    } else {
-                                        ::grafcet::__private::Phase::First
-                                    },
-                                    40,
-                                );
-                            if ::grafcet::__private::has_reached!(
-                                self.reading.since(self.since_idle),
-                                ::grafcet::__private::Ticks::new(2000u32)
-                            ) {
-                                self.since_idle = self
-                                    .reading
-                                    .since(::grafcet::__private::Ticks::new(2000u32));
-                            }
-                            any_69__ = true;
-                        }
-                    }
-                    __BatchRegion0::Drain => {
-                        if {
-                            let level = inputs_.level;
-                            level == 0
-                        } {
-                            self.region_0 = __BatchRegion0::Idle;
-                            outputs_.lamp = true;
-                            by_leaving_heat_ = self.was_q_heat
-                                && (self.held_heat_3_ || self.held_stir_7_);
-                            if by_leaving_heat_ {
-                                match self.acted_heat {
-                                    3 => {
-                                        actions_
-                                            .heat(
-                                                ::grafcet::__private::Phase::Final,
-                                                {
-                                                    let hot = self.params.hot;
-                                                    hot
-                                                },
-                                            );
-                                    }
-                                    7 => {
-                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                    }
-                                    _ => {}
-                                }
-                            }
-                            if self.was_q_heat && !by_leaving_heat_ {
-                                match self.acted_heat {
-                                    3 => {
-                                        actions_
-                                            .heat(
-                                                ::grafcet::__private::Phase::Final,
-                                                {
-                                                    let hot = self.params.hot;
-                                                    hot
-                                                },
-                                            );
-                                    }
-                                    7 => {
-                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                    }
-                                    _ => {}
-                                }
-                            }
-                            any_69__ = true;
-                        } else {
-                            on_drain_10__ = true;
-                            on_drain_11__ = {
-                                let level = inputs_.level;
-                                level > 3
-                            };
-                            by_leaving_heat_ = self.was_q_heat
-                                && (self.held_heat_3_ || self.held_stir_7_);
-                            if by_leaving_heat_ {
-                                match self.acted_heat {
-                                    3 => {
-                                        actions_
-                                            .heat(
-                                                ::grafcet::__private::Phase::Final,
-                                                {
-                                                    let hot = self.params.hot;
-                                                    hot
-                                                },
-                                            );
-                                        opaque_ran_ = true;
-                                    }
-                                    7 => {
-                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                        opaque_ran_ = true;
-                                    }
-                                    _ => {}
-                                }
-                            }
-                            if self.was_q_heat && !by_leaving_heat_ {
-                                match self.acted_heat {
-                                    3 => {
-                                        actions_
-                                            .heat(
-                                                ::grafcet::__private::Phase::Final,
-                                                {
-                                                    let hot = self.params.hot;
-                                                    hot
-                                                },
-                                            );
-                                        opaque_ran_ = true;
-                                    }
-                                    7 => {
-                                        actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                        opaque_ran_ = true;
-                                    }
-                                    _ => {}
-                                }
-                            }
-                            any_69__ = opaque_ran_;
-                        }
-                    }
-                    _ => {
-                        match self.region_1 {
-                            __BatchRegion1::Heat => {
-                                if inputs_.full && self.time_heat >= self.params.soak {
-                                    self.region_1 = __BatchRegion1::NONE;
-                                    self.region_0 = __BatchRegion0::Stir;
-                                    self.since_idle = self.reading;
-                                    self.acted_heat = 7;
-                                    self.held_heat_3_ = false;
-                                    self.held_stir_7_ = true;
-                                    self.sd_ff_pump = true;
-                                    actions_
-                                        .heat(
-                                            if self.was_q_heat {
-                                                ::grafcet::__private::Phase::Repeated
-                                            } else {
-                                                ::grafcet::__private::Phase::First
-                                            },
-                                            40,
-                                        );
-                                    self.was_q_heat = true;
-                                    any_69__ = true;
-                                } else {
-                                    outputs_.valve = true;
-                                    on_heat_5__ = true;
-                                    outputs_.lamp = self.time_heat
-                                        < ::grafcet::__private::Ticks::new(3000u32);
-                                    actions_
-                                        .heat(
-                                            if self.was_q_heat {
-                                                ::grafcet::__private::Phase::Repeated
-                                            } else {
-                                                ::grafcet::__private::Phase::First
-                                            },
-                                            {
-                                                let hot = self.params.hot;
-                                                hot
-                                            },
-                                        );
-                                    outputs_.speed = 10;
-                                    self.was_q_heat = true;
-                                    any_69__ = true;
-                                }
-                            }
-                            _ => {
-                                outputs_.valve = true;
-                                by_leaving_heat_ = self.was_q_heat
-                                    && (self.held_heat_3_ || self.held_stir_7_);
-                                if by_leaving_heat_ {
-                                    match self.acted_heat {
-                                        3 => {
-                                            actions_
-                                                .heat(
-                                                    ::grafcet::__private::Phase::Final,
-                                                    {
-                                                        let hot = self.params.hot;
-                                                        hot
-                                                    },
-                                                );
-                                            opaque_ran_ = true;
-                                        }
-                                        7 => {
-                                            actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                            opaque_ran_ = true;
-                                        }
-                                        _ => {}
-                                    }
-                                }
-                                if self.was_q_heat && !by_leaving_heat_ {
-                                    match self.acted_heat {
-                                        3 => {
-                                            actions_
-                                                .heat(
-                                                    ::grafcet::__private::Phase::Final,
-                                                    {
-                                                        let hot = self.params.hot;
-                                                        hot
-                                                    },
-                                                );
-                                            opaque_ran_ = true;
-                                        }
-                                        7 => {
-                                            actions_.heat(::grafcet::__private::Phase::Final, 40);
-                                            opaque_ran_ = true;
-                                        }
-                                        _ => {}
-                                    }
-                                }
-                                self.was_q_heat = false;
-                                any_69__ = opaque_ran_;
-                            }
-                        }
-                    }
+                    _ => {}
                 }
-                self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
-                    self.sd_tmr_pump_held + elapsed_
-                } else {
-                    ::grafcet::__private::Ticks::ZERO
-                };
-                self.sd_tmr_pump_in = self.sd_ff_pump;
-                outputs_.pump = !on_drain_10__
-                    && (on_drain_11__
-                        || on_heat_5__
-                            && self.time_heat
-                                >= ::grafcet::__private::Ticks::new(1000u32)
-                        || self.sd_ff_pump
-                            && self.sd_tmr_pump_held
-                                >= ::grafcet::__private::Ticks::new(2000u32));
-                self.settled = !any_69__;
             }
         }
+        ::grafcet::__private::core::sync::atomic::compiler_fence(
+            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
+        );
+        if entered_idle_ || entered_fill_ || entered_stir_ || entered_drain_ {
+            self.since_idle = self.reading;
+        }
+        if entered_heat_ {
+            self.time_heat = ::grafcet::__private::Ticks::ZERO;
+        }
+        let was_count_: ::grafcet::__private::core::primitive::u16 = self.count;
+        if left_stir_ {
+            {
+                #[allow(unused_mut, unused_variables)]
+                let mut count = self.count;
+                #[allow(unused_braces)]
+                {
+                    if count > 3 {
+                        count = 0;
+                    }
+                }
+                self.count = count;
+            }
+        }
+        if entered_fill_ {
+            self.count = {
+                let count = self.count;
+                count + 1
+            };
+        }
         self.edge0_before = inputs_.start;
+        let mut q_heat_: ::grafcet::__private::bool = false;
+        let mut on_stir_7__: ::grafcet::__private::bool = false;
+        let mut on_drain_10__: ::grafcet::__private::bool = false;
+        let mut on_drain_11__: ::grafcet::__private::bool = false;
+        match self.region_0 {
+            __BatchRegion0::Idle => {
+                outputs_.lamp = true;
+            }
+            __BatchRegion0::Fill => {
+                outputs_.valve = true;
+            }
+            __BatchRegion0::Stir => {
+                on_stir_7__ = true;
+                q_heat_ = true;
+                self.sd_ff_pump = true;
+                if was_state_idle_ == __BatchRegion0::Stir
+                    && ::grafcet::__private::has_reached!(
+                        self.reading.since(self.since_idle),
+                        ::grafcet::__private::Ticks::new(2000u32)
+                    )
+                {
+                    self.since_idle = self
+                        .reading
+                        .since(::grafcet::__private::Ticks::new(2000u32));
+                }
+            }
+            __BatchRegion0::Drain => {
+                on_drain_10__ = true;
+                on_drain_11__ = {
+                    let level = inputs_.level;
+                    level > 3
+                };
+                self.sd_ff_pump = false;
+            }
+            _ => {}
+        }
+        self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
+            self.sd_tmr_pump_held + elapsed_
+        } else {
+            ::grafcet::__private::Ticks::ZERO
+        };
+        self.sd_tmr_pump_in = self.sd_ff_pump;
+        let mut on_heat_3__: ::grafcet::__private::bool = false;
+        let mut on_heat_5__: ::grafcet::__private::bool = false;
+        match self.region_1 {
+            __BatchRegion1::Heat => {
+                on_heat_3__ = true;
+                on_heat_5__ = true;
+                outputs_.lamp = outputs_.lamp
+                    || self.time_heat < ::grafcet::__private::Ticks::new(3000u32);
+                q_heat_ = true;
+                outputs_.speed = 10;
+            }
+            _ => {}
+        }
+        if q_heat_ {
+            if on_heat_3__ {
+                self.acted_heat = 3;
+            }
+            if on_stir_7__ {
+                self.acted_heat = 7;
+            }
+        }
+        let by_leaving_heat_: ::grafcet::__private::bool = self.was_q_heat && !q_heat_
+            && (self.held_heat_3_ && self.region_1 != __BatchRegion1::Heat
+                && !(on_heat_3__ || on_stir_7__)
+                || self.held_stir_7_ && self.region_0 != __BatchRegion0::Stir
+                    && !(on_heat_3__ || on_stir_7__));
+        self.held_heat_3_ = q_heat_ && on_heat_3__;
+        self.held_stir_7_ = q_heat_ && on_stir_7__;
+        outputs_.pump = !on_drain_10__
+            && (on_drain_11__
+                || on_heat_5__
+                    && self.time_heat >= ::grafcet::__private::Ticks::new(1000u32)
+                || self.sd_ff_pump
+                    && self.sd_tmr_pump_held
+                        >= ::grafcet::__private::Ticks::new(2000u32));
+        let mut opaque_ran_: ::grafcet::__private::bool = false;
+        if by_leaving_heat_ {
+            match self.acted_heat {
+                3 => {
+                    actions_
+                        .heat(
+                            ::grafcet::__private::Phase::Final,
+                            {
+                                let hot = self.params.hot;
+                                hot
+                            },
+                        );
+                    opaque_ran_ = true;
+                }
+                _ => {
+                    actions_.heat(::grafcet::__private::Phase::Final, 40);
+                    opaque_ran_ = true;
+                }
+            }
+        }
+        if q_heat_ {
+            match self.acted_heat {
+                3 => {
+                    actions_
+                        .heat(
+                            if self.was_q_heat {
+                                ::grafcet::__private::Phase::Repeated
+                            } else {
+                                ::grafcet::__private::Phase::First
+                            },
+                            {
+                                let hot = self.params.hot;
+                                hot
+                            },
+                        );
+                    opaque_ran_ = true;
+                }
+                _ => {
+                    actions_
+                        .heat(
+                            if self.was_q_heat {
+                                ::grafcet::__private::Phase::Repeated
+                            } else {
+                                ::grafcet::__private::Phase::First
+                            },
+                            40,
+                        );
+                    opaque_ran_ = true;
+                }
+            }
+        }
+        if self.was_q_heat && !q_heat_ && !by_leaving_heat_ {
+            match self.acted_heat {
+                3 => {
+                    actions_
+                        .heat(
+                            ::grafcet::__private::Phase::Final,
+                            {
+                                let hot = self.params.hot;
+                                hot
+                            },
+                        );
+                    opaque_ran_ = true;
+                }
+                _ => {
+                    actions_.heat(::grafcet::__private::Phase::Final, 40);
+                    opaque_ran_ = true;
+                }
+            }
+        }
+        self.was_q_heat = q_heat_;
+        self.settled = !(began_ || clears_idle__fill_heat_ || clears__fill_heat__stir_
+            || clears_stir_drain_ || clears_drain_idle_ || self.count != was_count_
+            || opaque_ran_);
         outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a

@@ -6,6 +6,9 @@ use crate::sorted::Map;
 /// About so many bytes takes a state that is told apart in front of a match, where a table has one for each.
 const JUMP: usize = 8;
 
+/// For each step and transition a chart takes so many statements at most, or else they stand on many ways.
+const USUAL: usize = 8;
+
 /// In statements, how long a match is on a state, without its arms.
 const MATCH: usize = 9;
 
@@ -24,6 +27,11 @@ impl Program<'_> {
     pub(super) fn is_shorter(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(|program| length(&program.cycle));
         if self.model.optimize_size { own < others } else { 10 * own <= 9 * others }
+    }
+
+    /// Whether the code of a cycle is longer than a chart of its size should take.
+    pub(super) fn is_long(&self) -> bool {
+        length(&self.cycle) > USUAL * (self.model.steps.len() + self.model.transitions.len())
     }
 
     /// Of a table that is printed as a match, the states that do not lead to the one after them in `states`. Under `optimize size;` LLVM computes

@@ -5,6 +5,7 @@
 //! from one cycle to the next leave such a chart alone (`Pass::follows_cycles`).
 //!
 //! - `marks`: what observers are told, where nobody observes
+//! - `acted`: which association acted last is asked where it makes a difference
 //! - `decompose`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
 //! - `peel`: what a search does in its first round alone, or in each round alike
@@ -44,6 +45,7 @@
 //! `share` (what lists have in common, `alike` what only looks different), `search` on `early` (where it ends without another look), `several` and `rounds` also on `parts` (another order, in which those of one region stand together; `belonging`, where regions only look at each other) and `among` (which
 //! states of a region are possible); all of them on `uses` (effects, sameness; reads and writes in `program/uses.rs`), `many` (many arms at once) and `fold` (expressions of which something is known).
 
+mod acted;
 mod alike;
 mod among;
 mod anew;
@@ -90,10 +92,13 @@ mod stays;
 mod store;
 mod straight;
 mod tables;
+mod tail;
 mod told;
 mod united;
 mod uses;
 mod working;
+
+use several::Actions;
 
 use super::{Program, Statement};
 
@@ -115,6 +120,7 @@ macro_rules! passes {
 
 passes! {
     Marks,
+    Acted,
     Decompose,
     Outputs,
     Peel,
@@ -191,19 +197,25 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
 }
 
-/// The rest of the passes on the cycle as it is, and on the one whose actions stand apart: the shorter one is left.
+/// The rest of the passes on the cycle as it is, and on those whose actions stand apart: the shortest one is left.
 fn apart(program: &mut Program<'_>, passes: &[Pass], wants: &dyn Fn(Pass) -> bool) {
-    let mut other = several::apart(program);
-    if let Some(other) = &mut other {
+    let rest = |program: &mut Program<'_>| {
         for pass in passes.iter().copied().skip(1).filter(|pass| wants(*pass)) {
-            apply(pass, other, wants);
+            apply(pass, program, wants);
         }
-    }
-    for pass in passes.iter().copied().filter(|pass| wants(*pass)) {
-        apply(pass, program, wants);
-    }
-    if let Some(other) = other.filter(|other| other.is_shorter(program)) {
-        *program = other;
+    };
+    let lowered = program.clone();
+    apply(Pass::Several, program, wants);
+    rest(program);
+    for actions in [Actions::Apart, Actions::AllApart] {
+        if actions == Actions::AllApart && !program.is_long() {
+            break;
+        }
+        let Some(mut other) = several::apart(&lowered, actions) else { continue };
+        rest(&mut other);
+        if other.is_shorter(program) {
+            *program = other;
+        }
     }
 }
 
@@ -222,6 +234,7 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
         }
         Pass::Known | Pass::Join | Pass::Told | Pass::Moved | Pass::Apart => {}
         Pass::Search => search::pass(program, wants(Pass::Told)),
+        Pass::Acted => acted::pass(program),
         Pass::Decompose => decompose::pass(program),
         Pass::Outputs => outputs::pass(program),
         Pass::Peel => peel::pass(program),

@@ -27,11 +27,13 @@ use super::fold::initial;
 use super::live::Live;
 use super::many::{groups, sum_of_block};
 use super::moved;
+use super::several::weight;
 use super::share;
 use super::sparse::{Index, States};
 use super::starting;
+use super::tail;
 use super::told;
-use super::uses::{mentions, same_block, writes_to};
+use super::uses::{Effects, each_asked, mentions, same_block, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -60,18 +62,60 @@ struct Split {
 }
 
 pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
+    let before = program.places.len();
+    let Some((list, index, assumed)) = listed(program) else { return };
     let Some(split) = Split::of(program) else { return };
+    let apart = tail::apart(&program.places, &list, &index, split.points.all.len());
+    let other = apart.and_then(|(ways, tail)| {
+        let mut other = program.clone();
+        let index = indexed(&other, &ways, &assumed)?;
+        by_ways(&mut other, (&ways, &index, &assumed), &tail, options).then_some(other)
+    });
+    if !by_ways(program, (&list, &index, &assumed), &[], options) {
+        program.places.truncate(before);
+    }
+    if let Some(other) = other.filter(|other| 4 * weight(&other.cycle) < 3 * weight(&program.cycle)) {
+        *program = other;
+    }
+}
+
+/// The cycle as a list, where each statement matters, and what is false in front of it.
+fn listed<'m>(program: &mut Program<'m>) -> Option<(Vec<Statement<'m>>, Index, Vec<bool>)> {
+    let first = Split::of(program)?.first;
     let mut places = std::mem::take(&mut program.places);
     let before = places.len();
-    let mut list = flat(&program.cycle, Some(split.first), false, &mut places);
+    let mut list = flat(&program.cycle, Some(first), false, &mut places);
     samples_first(&mut list, &places);
     let assumed: Vec<bool> = places.iter().map(|place| !place.is_field).collect();
-    let index = Index::of(&places, &list, split.state, Some(split.first), &assumed, &split.points);
     program.places = places;
-    let trees = index.ok_or(Lost).and_then(|index| split.trees(program, &list, &index, &assumed, options));
-    match trees {
-        Ok(trees) => split.put_together(program, trees, options),
-        Err(Lost) => program.places.truncate(before),
+    let index = indexed(program, &list, &assumed);
+    if index.is_none() {
+        program.places.truncate(before);
+    }
+    index.map(|index| (list, index, assumed))
+}
+
+fn indexed(program: &Program<'_>, list: &[Statement<'_>], assumed: &[bool]) -> Option<Index> {
+    let split = Split::of(program)?;
+    Index::of(&program.places, list, split.state, Some(split.first), assumed, &split.points)
+}
+
+/// The cycle by its ways, and what comes after them in any case. Whether that is possible.
+fn by_ways<'m>(
+    program: &mut Program<'m>,
+    (list, index, assumed): (&[Statement<'m>], &Index, &[bool]),
+    tail: &[Statement<'m>],
+    options: &Options,
+) -> bool {
+    let Some(mut split) = Split::of(program) else { return false };
+    let written = Effects::of_all(tail).writes;
+    split.fields.retain(|field| !written.contains(field));
+    match split.trees(program, list, index, assumed, options) {
+        Ok(trees) => {
+            split.put_together(program, trees, tail, options);
+            true
+        }
+        Err(Lost) => false,
     }
 }
 
@@ -161,7 +205,13 @@ fn at_start(program: &Program<'_>, place: PlaceId, options: &Options) -> Fact {
 }
 
 impl Split {
-    fn put_together<'m>(&self, program: &mut Program<'m>, mut trees: Vec<Option<Tree<'m>>>, options: &Options) {
+    fn put_together<'m>(
+        &self,
+        program: &mut Program<'m>,
+        mut trees: Vec<Option<Tree<'m>>>,
+        tail: &[Statement<'m>],
+        options: &Options,
+    ) {
         if let Some(Some(tree)) = trees.first_mut() {
             let begin = Expr::Value(Value::Step(self.begin));
             tree.body.insert(0, Statement::Set(self.state, begin));
@@ -179,10 +229,11 @@ impl Split {
         program.cycle = front.clone();
         program.cycle.push(self.evolution(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect()));
         program.cycle.extend(after.iter().cloned());
+        program.cycle.extend(tail.iter().cloned());
         if !options.join {
             return;
         }
-        sweep(program, &mut trees);
+        sweep(program, tail, &mut trees);
         alike::pass(program, &self.points, &self.fields, &mut trees);
         let (mut acts, rest) = self.join(&mut trees);
         let mut cycle = front;
@@ -193,6 +244,7 @@ impl Split {
             cycle.push(Statement::Match(self.state, merged(acts), Vec::new()));
         }
         cycle.extend(rest);
+        cycle.extend(tail.iter().cloned());
         program.cycle = cycle;
     }
 
@@ -233,8 +285,9 @@ impl Split {
 }
 
 /// What is of no use at the ends of the ways would keep them from being alike.
-fn sweep(program: &Program<'_>, trees: &mut [Option<Tree<'_>>]) {
-    let after = read_after(program);
+fn sweep<'m>(program: &Program<'m>, tail: &[Statement<'m>], trees: &mut [Option<Tree<'m>>]) {
+    let mut after = read_after(program);
+    each_asked(tail, &mut |place| after.put(place, true));
     for tree in trees.iter_mut().flatten() {
         tree.each_leaf_mut(&mut |leaf| Live::after(&after).sweep(&mut leaf.body));
     }

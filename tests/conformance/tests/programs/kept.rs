@@ -231,6 +231,54 @@ fn the_edge_of_another_regions_step_is_found_once() {
     each_left_out(&read(press), &storm(&["a", "b", "c", "stop"], 400), 150);
 }
 
+/// A chain of steps, or two branches of one, in which each step has an action; each that calls, or stores more than a boolean.
+fn chain(steps: usize, branches: bool, act: &dyn Fn(usize) -> String) -> String {
+    let mut text = "sfc Chain { input a, b, c, d: bool; output p: bool; var n: u16 = 0; action log(v: u8); action beep(); step E; step F; initial step I; ".to_owned();
+    for number in 0..steps {
+        _ = write!(text, "step S{number} {{ {} }} ", act(number));
+    }
+    let half = if branches { steps / 2 } else { steps };
+    for number in 0..steps {
+        let to = match number + 1 {
+            next if next == steps => "F".to_owned(),
+            next if next == half => "E".to_owned(),
+            next => format!("S{next}"),
+        };
+        _ = write!(
+            text,
+            "S{number} -[{}]-> {to}; ",
+            ["a", "b && 2ms/", "c", "!d"][number % 4].replace('/', &format!("/S{number}"))
+        );
+    }
+    text + if branches { "I -[a || b]-> (S0, S" } else { "F -[a]-> E; I -[a || b]-> S0; E -[c || d]-> I; } " }
+        + &if branches { format!("{half}); (E, F) -[c || d]-> I; }}") } else { String::new() }
+}
+
+/// What a chart takes grows with its steps, and not with their square, whatever they run: what is the same for all of them stands after the ways, once.
+#[test]
+fn many_actions_are_not_run_on_each_way() {
+    let kinds: [(&str, &dyn Fn(usize) -> String); 6] = [
+        ("calls of one action", &|at| format!("N beep() if {};", ["a", "b", "c", "d"][at % 4])),
+        ("calls with arguments of their own", &|at| format!("N log({at}) if {};", ["b", "a", "d", "c"][at % 4])),
+        ("stored code", &|at| if at % 2 == 0 { format!("S n = n % 50 + {at};") } else { format!("P1 n = {at};") }),
+        ("code while a step is active", &|at| format!("N n = n % 50 + {at};")),
+        ("code when a step is entered and left", &|at| format!("P n = n % 40 + {at};")),
+        ("delayed calls", &|at| if at % 2 == 0 { "SD 2ms log(7);".to_owned() } else { "R log();".to_owned() }),
+    ];
+    for (name, act) in kinds {
+        for branches in [false, true] {
+            let lines = |steps: usize| {
+                let program =
+                    optimised(&read(&chain(steps, branches, act)), &Pass::ALL).expect("a program").to_string();
+                program.lines().count()
+            };
+            let (few, many) = (lines(10), lines(30));
+            assert!(many < 4 * few, "{name}, {branches}: {few} lines with 10 steps, {many} with 30");
+            each_left_out(&read(&chain(12, branches, act)), &storm(&["a", "b", "c", "d"], 300), 150);
+        }
+    }
+}
+
 /// The stop of many steps is asked in front of the match; what may panic, only beside one of these.
 #[test]
 fn what_many_states_ask_first_is_asked_in_front_of_the_match() {

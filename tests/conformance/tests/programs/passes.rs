@@ -27,6 +27,7 @@ fn each_pass_is_as_recorded() {
                  A -[a]-> B -[!a]-> A; }";
     let called =
         "sfc Called { input a: bool; action heat(); initial step A; step B { heat(); } A -[a]-> B -[!a]-> A; }";
+    let horn = "sfc Horn { input a, b: bool; action beep(n: u8); initial step A { N beep(1) if b; } step B { N beep(2) if a; } step C { N beep(1); } A -[a]-> B -[b]-> C -[!a]-> A; }";
     let stairs = "grafcet Stairs { input on, off: bool; output lamp, warm: bool; initial step Dark { R warm; } step Lit { lamp; S warm; } \
                   Dark -[on]-> Lit -[off]-> Dark; }";
     let timed =
@@ -46,6 +47,7 @@ fn each_pass_is_as_recorded() {
                   Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[a && b]-> B2; (A2, B2) -[!a]-> Idle; }";
     let cases = [
         (Pass::Marks, lamp),
+        (Pass::Acted, horn),
         (Pass::Decompose, lamp),
         (Pass::Outputs, lamp),
         (Pass::Peel, PLANT),

@@ -11,28 +11,48 @@
 //!                                            Heat: heater = true
 //! ```
 //!
+//! What asks how a step was entered or left stays on the way, as what is done once. Where many actions are more than that (stored ones, and calls), all of them stand apart, and the ways
+//! tell them what they have entered and left ([`Actions::AllApart`]).
+//!
 //! That is shorter where many ways lead to the same states, and takes a second match on each region that acts. Both cycles go through the passes that come
 //! after, and this one stays if it is shorter by a tenth (`passes::optimise`).
 
 use super::{Env, Several, evolve};
 use crate::list::List;
 use crate::program::build::no;
-use crate::program::passes::uses::Effects;
-use crate::program::{Fence, PlaceId, Program, Statement, Value};
+use crate::program::passes::uses::{Effects, reads_from};
+use crate::program::passes::working::rename;
+use crate::program::{Expr, Fence, PlaceId, Program, Statement, Value};
 use crate::sorted::Set;
 
 use super::super::engine::Fact;
 
+/// Where the actions of a cycle stand.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Actions {
+    /// At the ends of the ways.
+    OnTheirWays,
+    /// After the evolution, but for those that ask how it went.
+    Apart,
+    /// All of them.
+    AllApart,
+}
+
 /// The same program with its actions apart.
-pub(in super::super) fn pass<'m>(program: &Program<'m>) -> Option<Program<'m>> {
+pub(in super::super) fn pass<'m>(program: &Program<'m>, actions: Actions) -> Option<Program<'m>> {
     let mut other = program.clone();
-    evolve(&mut other, true).then_some(other)
+    evolve(&mut other, actions).then_some(other)
 }
 
 impl<'m> Several<'_, 'm> {
     /// What evolves, with all that asks how it has, and the actions.
     #[allow(clippy::type_complexity, reason = "two lists")]
-    pub(super) fn apart(&self, list: &[Statement<'m>], env: &Env) -> Option<(Vec<Statement<'m>>, Vec<Statement<'m>>)> {
+    pub(super) fn apart(
+        &self,
+        list: &[Statement<'m>],
+        env: &Env,
+        (actions, began): (Actions, PlaceId),
+    ) -> Option<(Vec<Statement<'m>>, Vec<Statement<'m>>)> {
         let (body, _) = self.folded(list, env);
         let body = self.swept(body, env);
         let end = body.iter().rposition(|one| self.decides(std::slice::from_ref(one)))?;
@@ -40,7 +60,7 @@ impl<'m> Several<'_, 'm> {
         let mut evolves = vec![false; body.len()];
         let mut told: Set<PlaceId> = Set::new();
         for (at, effects) in effects.iter().enumerate() {
-            let asks = effects.reads.iter().any(|place| told.contains(place));
+            let asks = actions == Actions::Apart && effects.reads.iter().any(|place| told.contains(place));
             if at <= end || asks {
                 evolves[at] = true;
                 let is_told = |place: &&PlaceId| !self.places[place.0].is_field && !self.states.contains(place);
@@ -57,7 +77,11 @@ impl<'m> Several<'_, 'm> {
         for (one, evolves) in body.into_iter().zip(evolves) {
             if evolves { evolving.push(one) } else { acting.push(one) }
         }
-        // Who looks at the first cycle by itself asks for it, and nobody else.
+        // By then the first cycle is none any more.
+        if acting.iter().any(|one| reads_from(one, self.first)) {
+            rename(&mut acting, self.first, began);
+            evolving.insert(0, Statement::Set(began, Expr::Place(self.first)));
+        }
         evolving.push(Statement::Set(self.first, no()));
         (!acting.is_empty()).then_some((evolving, acting))
     }

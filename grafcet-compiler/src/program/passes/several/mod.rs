@@ -26,7 +26,7 @@ mod joint;
 mod prepared;
 mod single;
 
-pub(super) use apart::pass as apart;
+pub(super) use apart::{Actions, pass as apart};
 use prepared::{direct, join_wide};
 pub(super) use single::weight;
 
@@ -52,11 +52,11 @@ use crate::model::StepId;
 use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    evolve(program, false);
+    evolve(program, Actions::OnTheirWays);
 }
 
-/// Whether the cycle is another one now. Its actions may stand after the evolution.
-fn evolve(program: &mut Program<'_>, apart: bool) -> bool {
+/// Whether the cycle is another one now.
+fn evolve(program: &mut Program<'_>, actions: Actions) -> bool {
     let count = program.places.len();
     let mut places = std::mem::take(&mut program.places);
     let list = program.beside.is_empty().then(Vec::new).unwrap_or_else(|| {
@@ -65,8 +65,13 @@ fn evolve(program: &mut Program<'_>, apart: bool) -> bool {
         direct(&places, &mut list);
         list
     });
+    let began = PlaceId(places.len());
+    if actions != Actions::OnTheirWays {
+        let (name, off) = ("began".to_owned(), Initial::Value(Value::Bool(false)));
+        places.push(PlaceInfo { name, role: Role::Local, ty: Type::Bool, initial: off, is_field: false });
+    }
     program.places = places;
-    match Several::of(program).and_then(|several| several.cycle(&list, apart)) {
+    match Several::of(program).and_then(|several| several.cycle(&list, (actions, began))) {
         // What has not been looked into may ask for the first cycle, which has no place of its own any more.
         Some((start, cycle)) if !asks_first(program, &cycle) => {
             if let (Some(first), Some(Value::Step(step))) =
@@ -174,15 +179,22 @@ impl<'p, 'm> Several<'p, 'm> {
     }
 
     /// The region whose state tells that the first cycle is still to come, and the cycle.
-    fn cycle(&self, list: &[Statement<'m>], apart: bool) -> Option<(PlaceId, Vec<Statement<'m>>)> {
+    fn cycle(
+        &self,
+        list: &[Statement<'m>],
+        (actions, began): (Actions, PlaceId),
+    ) -> Option<(PlaceId, Vec<Statement<'m>>)> {
         let effects = Effects::of_all(list);
         let loops = list.iter().any(|statement| matches!(statement, Statement::Loop { .. }));
         if loops || !effects.writes.contains(&self.first) {
             return None;
         }
         let mut env = Env::of(self.places);
-        let (list, actions) = if apart { self.apart(list, &env)? } else { (list.to_vec(), Vec::new()) };
-        each_asked(&actions, &mut |place| _ = env.later.insert(place));
+        let (list, acting) = match actions {
+            Actions::OnTheirWays => (list.to_vec(), Vec::new()),
+            _ => self.apart(list, &env, (actions, began))?,
+        };
+        each_asked(&acting, &mut |place| _ = env.later.insert(place));
         let mut start = self.first_cycle(&list, &env)?;
         env.facts[self.first.0] = Fact::Is(Value::Bool(false));
         self.any_situation(&mut env);
@@ -210,7 +222,7 @@ impl<'p, 'm> Several<'p, 'm> {
             _ => Statement::Match(head, vec![starting], rest),
         });
         cycle.extend(after);
-        cycle.extend(self.acting(&list, &actions));
+        cycle.extend(self.acting(&list, &acting));
         Some((head, cycle))
     }
 

@@ -20,6 +20,9 @@ const WAYS: usize = 64;
 /// For fewer states it is not worth while to find out which statements matter in which one.
 const FEW: usize = 6;
 
+/// What takes so many times its length by state stays as it is.
+const MANY: usize = 3;
+
 /// In statements, what a second match costs.
 const DISPATCH: usize = 2;
 
@@ -40,6 +43,7 @@ impl<'m> Several<'_, 'm> {
         let Fact::Among(list) = env.facts[self.states[region].0] else { return part.statements };
         let states = env.lists[list].clone();
         let (mut done, rest) = self.of_others(region, &part.statements, env);
+        let env_before = env;
         let mut env = env.clone();
         self.after(&done, &mut env);
         let Some(mut arms) = self.arms(region, &states, &rest, &env) else { return part.statements };
@@ -47,6 +51,11 @@ impl<'m> Several<'_, 'm> {
         let plain = evolution(state, arms.iter().map(|(value, tree)| (*value, tree.copy())).collect());
         let joined = self.joined(region, &mut arms);
         let whole = weight(&joined) + if joined.len() > 1 { DISPATCH } else { 0 };
+        let own = weight(&part.statements);
+        if MANY * own < whole.min(weight(std::slice::from_ref(&plain))) && !self.decides(&part.statements) {
+            // Each state does nearly all of it.
+            return self.swept(self.folded(&part.statements, env_before).0, env_before);
+        }
         done.extend(if weight(std::slice::from_ref(&plain)) <= whole { vec![plain] } else { joined });
         done
     }

@@ -1,0 +1,86 @@
+//! What is the same in all states of a sequence, and long: it stands after the match on the state, once, and not in each of its ways.
+//!
+//! ```text
+//! match state                                  match state
+//!   A:                                           A:
+//!     if a:                                        if a:
+//!       state = B                                    state = B
+//!       q.log = true                                 q.log = true
+//!       if was.q.log: match acted.log …    ->      else: q.log = x
+//!     else:                                      …
+//!       q.log = x                              if was.q.log: match acted.log …
+//!       if was.q.log: match acted.log …
+//!   …
+//! ```
+//!
+//! So runs stored actions (S, SD, SL with more than a boolean), and calls that many associations hold up: as many statements as there are such associations, which each way of each
+//! state would have. What they leave in fields is not followed from state to state.
+
+use super::super::{PlaceId, PlaceInfo, Role, Statement};
+use super::several::weight;
+use super::sparse::Index;
+use super::uses::{Effects, blocks};
+use crate::list::List;
+
+/// So many statements at least are worth it,
+const LONG: usize = 16;
+
+/// and so many in all states.
+const MANY: usize = 150;
+
+/// What the ways are made of, and what comes after them.
+pub(super) fn apart<'m>(
+    places: &[PlaceInfo<'m>],
+    list: &[Statement<'m>],
+    index: &Index,
+    points: usize,
+) -> Option<(Vec<Statement<'m>>, Vec<Statement<'m>>)> {
+    let mut is_tail = vec![false; list.len()];
+    let mut length = 0;
+    for at in index.always.iter().copied().filter(|at| *at > index.last) {
+        if matches!(list[at], Statement::If(..)) && acts(places, &list[at]) {
+            is_tail[at] = true;
+            length += weight(std::slice::from_ref(&list[at]));
+        }
+    }
+    if length < LONG || length * points < MANY {
+        return None;
+    }
+    let effects = list.iter().map(Effects::of).list();
+    let mut passed = Effects::default();
+    for at in 0..list.len() {
+        is_tail[at] |= at > index.last && !effects[at].may_swap(&passed);
+        if is_tail[at] {
+            passed.join(&effects[at]);
+        }
+    }
+    // What only they ask for is found there.
+    let mut kept = Effects::default();
+    for at in (index.last + 1..list.len()).rev() {
+        if is_tail[at] {
+            continue;
+        }
+        let is_local = |place: &PlaceId| !places[place.0].is_field;
+        let is_own = effects[at].writes.iter().all(|place| is_local(place) && !kept.reads.contains(place));
+        let is_asked = !is_own || !matches!(list[at], Statement::Set(..)) || index.always.binary_search(&at).is_err();
+        if is_asked || !effects[at].may_swap(&kept) {
+            kept.join(&effects[at]);
+        } else {
+            is_tail[at] = true;
+        }
+    }
+    let (mut ways, mut tail) = (Vec::new(), Vec::new());
+    for (statement, is_tail) in list.iter().zip(is_tail) {
+        if is_tail { tail.push(statement.clone()) } else { ways.push(statement.clone()) }
+    }
+    Some((ways, tail))
+}
+
+/// Whether it runs something of the user's, or sets a variable.
+fn acts(places: &[PlaceInfo<'_>], statement: &Statement<'_>) -> bool {
+    match statement {
+        Statement::Run(_) | Statement::Call(..) => true,
+        Statement::Set(place, _) => matches!(places[place.0].role, Role::Var(_)),
+        other => blocks(other).into_iter().flatten().any(|one| acts(places, one)),
+    }
+}
