@@ -51,7 +51,7 @@ impl<'m> Several<'_, 'm> {
         &self,
         list: &[Statement<'m>],
         env: &Env,
-        (actions, began): (Actions, PlaceId),
+        (actions, was_first): (Actions, PlaceId),
     ) -> Option<(Vec<Statement<'m>>, Vec<Statement<'m>>)> {
         let (body, _) = self.folded(list, env);
         let body = self.swept(body, env);
@@ -79,8 +79,8 @@ impl<'m> Several<'_, 'm> {
         }
         // By then the first cycle is none any more.
         if acting.iter().any(|one| reads_from(one, self.first)) {
-            rename(&mut acting, self.first, began);
-            evolving.insert(0, Statement::Set(began, Expr::Place(self.first)));
+            rename(&mut acting, self.first, was_first);
+            evolving.insert(0, Statement::Set(was_first, Expr::Place(self.first)));
         }
         evolving.push(Statement::Set(self.first, no()));
         (!acting.is_empty()).then_some((evolving, acting))

@@ -65,13 +65,13 @@ fn evolve(program: &mut Program<'_>, actions: Actions) -> bool {
         direct(&places, &mut list);
         list
     });
-    let began = PlaceId(places.len());
+    let was_first = PlaceId(places.len());
     if actions != Actions::OnTheirWays {
-        let (name, off) = ("began".to_owned(), Initial::Value(Value::Bool(false)));
+        let (name, off) = ("was.first".to_owned(), Initial::Value(Value::Bool(false)));
         places.push(PlaceInfo { name, role: Role::Local, ty: Type::Bool, initial: off, is_field: false });
     }
     program.places = places;
-    match Several::of(program).and_then(|several| several.cycle(&list, (actions, began))) {
+    match Several::of(program).and_then(|several| several.cycle(&list, (actions, was_first))) {
         // What has not been looked into may ask for the first cycle, which has no place of its own any more.
         Some((start, cycle)) if !asks_first(program, &cycle) => {
             if let (Some(first), Some(Value::Step(step))) =
@@ -182,7 +182,7 @@ impl<'p, 'm> Several<'p, 'm> {
     fn cycle(
         &self,
         list: &[Statement<'m>],
-        (actions, began): (Actions, PlaceId),
+        (actions, was_first): (Actions, PlaceId),
     ) -> Option<(PlaceId, Vec<Statement<'m>>)> {
         let effects = Effects::of_all(list);
         let loops = list.iter().any(|statement| matches!(statement, Statement::Loop { .. }));
@@ -192,7 +192,7 @@ impl<'p, 'm> Several<'p, 'm> {
         let mut env = Env::of(self.places);
         let (list, acting) = match actions {
             Actions::OnTheirWays => (list.to_vec(), Vec::new()),
-            _ => self.apart(list, &env, (actions, began))?,
+            _ => self.apart(list, &env, (actions, was_first))?,
         };
         each_asked(&acting, &mut |place| _ = env.later.insert(place));
         let mut start = self.first_cycle(&list, &env)?;
