@@ -9,6 +9,9 @@ const JUMP: usize = 8;
 /// For each step and transition a chart takes so many statements at most, or else they stand on many ways.
 const USUAL: usize = 8;
 
+/// Of a chart of more steps and transitions no other program is tried out: that would take the macro too long.
+const TRIED: usize = 400;
+
 /// In statements, how long a match is on a state, without its arms.
 const MATCH: usize = 9;
 
@@ -29,9 +32,18 @@ impl Program<'_> {
         if self.model.optimize_size { own < others } else { 10 * own <= 9 * others }
     }
 
+    fn size_of_chart(&self) -> usize {
+        self.model.steps.len() + self.model.transitions.len()
+    }
+
+    /// Whether it takes little time to try another program for its chart.
+    pub(super) fn is_short(&self) -> bool {
+        self.size_of_chart() <= TRIED
+    }
+
     /// Whether the code of a cycle is longer than a chart of its size should take.
     pub(super) fn is_long(&self) -> bool {
-        length(&self.cycle) > USUAL * (self.model.steps.len() + self.model.transitions.len())
+        length(&self.cycle) > USUAL * self.size_of_chart()
     }
 
     /// Of a table that is printed as a match, the states that do not lead to the one after them in `states`. Under `optimize size;` LLVM computes

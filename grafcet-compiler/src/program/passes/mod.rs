@@ -208,8 +208,9 @@ fn apart(program: &mut Program<'_>, passes: &[Pass], wants: &dyn Fn(Pass) -> boo
     apply(Pass::Several, program, wants);
     rest(program);
     for actions in [Actions::Apart, Actions::AllApart] {
-        if actions == Actions::AllApart && !program.is_long() {
-            break;
+        let is_worth_trying = if actions == Actions::Apart { program.is_short() } else { program.is_long() };
+        if !is_worth_trying {
+            continue;
         }
         let Some(mut other) = several::apart(&lowered, actions) else { continue };
         rest(&mut other);

@@ -282,11 +282,16 @@ impl<'m> EntrySearch<'_, 'm> {
             Expr::All(parts) | Expr::Any(parts) => {
                 // One that decides is enough.
                 let decides = matches!(expr, Expr::Any(_));
-                let mut truths = parts.iter().map(|part| self.truth(part, done));
-                if truths.clone().any(|truth| truth == Some(decides)) {
-                    return Some(decides);
+                // Each part is looked at once: in a condition of many levels twice would be far too often.
+                let mut all = Some(!decides);
+                for part in parts {
+                    match self.truth(part, done) {
+                        Some(truth) if truth == decides => return Some(decides),
+                        Some(_) => {}
+                        None => all = None,
+                    }
                 }
-                truths.all(|truth| truth.is_some()).then_some(!decides)?
+                all?
             }
             Expr::Compare(how @ (Comparison::Equal | Comparison::Differs), a, b) => {
                 let (Expr::Place(a), Expr::Place(b)) = (&**a, &**b) else { return None };

@@ -68,10 +68,12 @@ impl<'m> Several<'_, 'm> {
             }
         }
         // What may not be passed by a later one evolves, too.
-        while let Some(at) = (end + 1..body.len()).find(|at| {
-            !evolves[*at] && (at + 1..body.len()).any(|later| evolves[later] && !effects[*at].may_swap(&effects[later]))
-        }) {
-            evolves[at] = true;
+        let mut later = Effects::default();
+        for (at, effects) in effects.iter().enumerate().skip(end + 1).rev() {
+            evolves[at] |= !effects.may_swap(&later);
+            if evolves[at] {
+                later.join(effects);
+            }
         }
         let (mut evolving, mut acting) = (Vec::new(), Vec::new());
         for (one, evolves) in body.into_iter().zip(evolves) {
