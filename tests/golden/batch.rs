@@ -486,13 +486,13 @@ impl Batch {
         let mut left_stir_: ::grafcet::__private::bool = false;
         let mut entered_stir_: ::grafcet::__private::bool = false;
         let mut entered_drain_: ::grafcet::__private::bool = false;
-        let mut began_: ::grafcet::__private::bool = false;
+        let mut was_first_: ::grafcet::__private::bool = false;
         match self.region_0 {
             __BatchRegion0::INIT => {
                 elapsed_ = ::grafcet::__private::Ticks::ZERO;
                 self.time_heat = ::grafcet::__private::Ticks::ZERO;
                 self.region_0 = __BatchRegion0::Idle;
-                began_ = true;
+                was_first_ = true;
                 self.since_idle = self.reading;
                 entered_idle_ = true;
             }
@@ -723,9 +723,9 @@ impl Batch {
             }
         }
         self.was_q_heat = q_heat_;
-        self.settled = !(began_ || clears_idle__fill_heat_ || clears__fill_heat__stir_
-            || clears_stir_drain_ || clears_drain_idle_ || self.count != was_count_
-            || opaque_ran_);
+        self.settled = !(was_first_ || clears_idle__fill_heat_
+            || clears__fill_heat__stir_ || clears_stir_drain_ || clears_drain_idle_
+            || self.count != was_count_ || opaque_ran_);
         outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a

@@ -51,12 +51,12 @@ impl Batch {
         let mut entered_heat_: bool = false;
         let mut entered_stir_: bool = false;
         let mut entered_drain_: bool = false;
-        let mut began_: bool = false;
+        let mut was_first_: bool = false;
         match self.region_0 {
             __BatchRegion0::INIT => {
                 elapsed_ = Ticks::ZERO;
                 self.region_0 = __BatchRegion0::Idle;
-                began_ = true;
+                was_first_ = true;
                 self.since_idle = self.reading;
                 self.since_heat = self.reading;
                 entered_idle_ = true;
@@ -124,8 +124,9 @@ impl Batch {
         if left_idle_ {
             self.count = 0;
         }
-        let mut any_59__: bool = began_ || clears_idle__fill_heat_
-            || clears__fill_heat__stir_ || clears_stir_drain_ || clears_drain_idle_;
+        let mut any_59__: bool = was_first_
+            || clears_idle__fill_heat_ || clears__fill_heat__stir_ || clears_stir_drain_
+            || clears_drain_idle_;
         let mut on_heat_5__: bool = false;
         match self.region_1 {
             __BatchRegion1::Heat => {

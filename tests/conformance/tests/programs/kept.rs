@@ -272,8 +272,9 @@ fn many_actions_are_not_run_on_each_way() {
                     optimised(&read(&chain(steps, branches, act)), &Pass::ALL).expect("a program").to_string();
                 program.lines().count()
             };
-            let (few, many) = (lines(10), lines(30));
-            assert!(many < 4 * few, "{name}, {branches}: {few} lines with 10 steps, {many} with 30");
+            // Nor does it take the macro a time that doubles with each step.
+            let (few, many) = (lines(10), lines(80));
+            assert!(many < 12 * few, "{name}, {branches}: {few} lines with 10 steps, {many} with 80");
             each_left_out(&read(&chain(12, branches, act)), &storm(&["a", "b", "c", "d"], 300), 150);
         }
     }
