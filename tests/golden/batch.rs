@@ -476,8 +476,8 @@ impl Batch {
             }
         }
         let mut was_state_idle_: __BatchRegion0 = __BatchRegion0::Idle;
-        let mut clears_idle__fill_heat_: ::grafcet::__private::bool = false;
-        let mut clears__fill_heat__stir_: ::grafcet::__private::bool = false;
+        let mut clears_idle_fill_heat_: ::grafcet::__private::bool = false;
+        let mut clears_fill_heat_stir_: ::grafcet::__private::bool = false;
         let mut clears_stir_drain_: ::grafcet::__private::bool = false;
         let mut clears_drain_idle_: ::grafcet::__private::bool = false;
         let mut entered_idle_: ::grafcet::__private::bool = false;
@@ -498,7 +498,7 @@ impl Batch {
             }
             __BatchRegion0::Idle => {
                 if !self.edge0_before && inputs_.start {
-                    clears_idle__fill_heat_ = true;
+                    clears_idle_fill_heat_ = true;
                     entered_fill_ = true;
                     entered_heat_ = true;
                     self.region_0 = __BatchRegion0::Fill;
@@ -535,7 +535,7 @@ impl Batch {
                 match self.region_1 {
                     __BatchRegion1::Heat => {
                         if inputs_.full && self.time_heat >= self.params.soak {
-                            clears__fill_heat__stir_ = true;
+                            clears_fill_heat_stir_ = true;
                             entered_stir_ = true;
                             self.region_1 = __BatchRegion1::NONE;
                             self.region_0 = __BatchRegion0::Stir;
@@ -723,9 +723,9 @@ impl Batch {
             }
         }
         self.was_q_heat = q_heat_;
-        self.settled = !(was_first_ || clears_idle__fill_heat_
-            || clears__fill_heat__stir_ || clears_stir_drain_ || clears_drain_idle_
-            || self.count != was_count_ || opaque_ran_);
+        self.settled = !(was_first_ || clears_idle_fill_heat_ || clears_fill_heat_stir_
+            || clears_stir_drain_ || clears_drain_idle_ || self.count != was_count_
+            || opaque_ran_);
         outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a

@@ -41,8 +41,8 @@ impl Batch {
         fence_beyond_armv6m();
         let mut was_state_idle_: __BatchRegion0 = __BatchRegion0::Idle;
         let mut was_state_heat_: __BatchRegion1 = __BatchRegion1::NONE;
-        let mut clears_idle__fill_heat_: bool = false;
-        let mut clears__fill_heat__stir_: bool = false;
+        let mut clears_idle_fill_heat_: bool = false;
+        let mut clears_fill_heat_stir_: bool = false;
         let mut clears_stir_drain_: bool = false;
         let mut clears_drain_idle_: bool = false;
         let mut left_idle_: bool = false;
@@ -63,7 +63,7 @@ impl Batch {
             }
             __BatchRegion0::Idle => {
                 if inputs_.start {
-                    clears_idle__fill_heat_ = true;
+                    clears_idle_fill_heat_ = true;
                     left_idle_ = true;
                     entered_fill_ = true;
                     entered_heat_ = true;
@@ -101,7 +101,7 @@ impl Batch {
                                 Ticks::new(5000u32)
                             )
                         {
-                            clears__fill_heat__stir_ = true;
+                            clears_fill_heat_stir_ = true;
                             entered_stir_ = true;
                             self.region_1 = __BatchRegion1::NONE;
                             self.region_0 = __BatchRegion0::Stir;
@@ -125,7 +125,7 @@ impl Batch {
             self.count = 0;
         }
         let mut any_59__: bool = was_first_
-            || clears_idle__fill_heat_ || clears__fill_heat__stir_ || clears_stir_drain_
+            || clears_idle_fill_heat_ || clears_fill_heat_stir_ || clears_stir_drain_
             || clears_drain_idle_;
         let mut on_heat_5__: bool = false;
         match self.region_1 {

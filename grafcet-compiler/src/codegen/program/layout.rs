@@ -220,7 +220,11 @@ fn is_constant(place: &PlaceInfo<'_>) -> bool {
 fn free(name: &str, taken: &mut Set<String>) -> String {
     let mut own = String::new();
     for c in name.to_lowercase().chars() {
-        own.push(if c.is_alphanumeric() { c } else { '_' });
+        let c = if c.is_alphanumeric() { c } else { '_' };
+        // Two of them beside each other are no snake case.
+        if c != '_' || !own.ends_with('_') {
+            own.push(c);
+        }
     }
     let own = own.trim_end_matches('_');
     // A number at the end is that of a placeholder, and some words are Rust's.

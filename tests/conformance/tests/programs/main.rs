@@ -20,6 +20,7 @@ mod delays;
 mod forks;
 mod growth;
 mod kept;
+mod length;
 mod needs;
 mod passes;
 mod regions;

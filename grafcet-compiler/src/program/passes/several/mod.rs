@@ -22,11 +22,13 @@
 
 mod apart;
 mod clearing;
+mod env;
 mod joint;
 mod prepared;
 mod single;
 
 pub(super) use apart::{Actions, pass as apart};
+pub(super) use env::Env;
 use prepared::{direct, join_wide};
 pub(super) use single::weight;
 
@@ -95,15 +97,6 @@ const EFFORT: usize = 64;
 
 fn effort(program: &Program<'_>) -> usize {
     EFFORT * (weight(&program.cycle) + program.places.len())
-}
-
-/// What is known where some statements begin.
-#[derive(Clone)]
-pub(super) struct Env {
-    pub(super) facts: Vec<Fact>,
-    pub(super) lists: Vec<Among>,
-    /// What is read after them.
-    pub(super) later: Set<PlaceId>,
 }
 
 pub(super) struct Several<'p, 'm> {
@@ -385,29 +378,6 @@ impl<'p, 'm> Several<'p, 'm> {
         let mut found = false;
         each_written(statements, &mut |place| found |= self.states.contains(&place));
         found
-    }
-}
-
-impl Env {
-    /// Locals hold what they begin with.
-    pub(super) fn of(places: &[PlaceInfo<'_>]) -> Self {
-        let mut facts = Vec::with_capacity(places.len());
-        for place in places {
-            facts.push(match initial(place) {
-                _ if place.is_field => Fact::Nothing,
-                Some(value) if !matches!(place.ty, Type::User(_)) => Fact::Is(value),
-                _ => Fact::Initial,
-            });
-        }
-        Self { facts, lists: Vec::new(), later: Set::new() }
-    }
-
-    fn among(&mut self, states: Among) -> Fact {
-        if let [state] = states[..] {
-            return Fact::Is(Value::Step(state));
-        }
-        self.lists.push(states);
-        Fact::Among(self.lists.len() - 1)
     }
 }
 
