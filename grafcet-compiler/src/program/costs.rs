@@ -79,7 +79,8 @@ fn length(statements: &[Statement<'_>]) -> usize {
     all
 }
 
-fn questions(condition: &Expr<'_>) -> usize {
+/// How many things a condition asks for.
+pub(super) fn questions(condition: &Expr<'_>) -> usize {
     match condition {
         Expr::Not(inner) => questions(inner),
         Expr::All(parts) | Expr::Any(parts) => parts.iter().map(questions).sum(),

@@ -16,9 +16,10 @@
 //! Needs: they do the same then. It is the last pass, as others look for the match.
 
 use super::super::build::all;
+use super::super::costs::questions;
 use super::super::{Arm, Expr, Program, Statement, Value};
 use super::many::{groups, sum_of, sum_of_block};
-use super::once::{questions, size};
+use super::once::size;
 use super::split::merged;
 use super::uses::{blocks_mut, is_plain, is_pure, same, same_block};
 use crate::model::StepId;

@@ -20,6 +20,7 @@
 //! Needs: nothing.
 
 use super::super::build::{all, any, no, not, yes};
+use super::super::costs::questions;
 use super::super::{Comparison, Expr, PlaceId, Program, Statement, Value};
 use super::fold::negated;
 use super::uses::{blocks, each_read, each_written, is_plain, is_pure, mentions, same, same_block};
@@ -341,12 +342,4 @@ pub(super) fn size(statements: &[Statement<'_>]) -> usize {
         };
     }
     all
-}
-
-pub(super) fn questions(condition: &Expr<'_>) -> usize {
-    match condition {
-        Expr::Not(inner) => questions(inner),
-        Expr::All(parts) | Expr::Any(parts) => parts.iter().map(questions).sum(),
-        _ => 1,
-    }
 }

@@ -62,11 +62,10 @@ pub(super) fn apart<'m>(
         }
         let is_local = |place: &PlaceId| !places[place.0].is_field;
         let is_own = effects[at].writes.iter().all(|place| is_local(place) && !kept.reads.contains(place));
-        let is_asked = !is_own || !matches!(list[at], Statement::Set(..)) || index.always.binary_search(&at).is_err();
-        if is_asked || !effects[at].may_swap(&kept) {
+        let is_anywhere = matches!(list[at], Statement::Set(..)) && index.always.binary_search(&at).is_ok();
+        is_tail[at] = is_own && is_anywhere && effects[at].may_swap(&kept);
+        if !is_tail[at] {
             kept.join(&effects[at]);
-        } else {
-            is_tail[at] = true;
         }
     }
     let (mut ways, mut tail) = (Vec::new(), Vec::new());

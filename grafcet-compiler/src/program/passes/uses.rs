@@ -128,6 +128,25 @@ impl Effects {
     }
 }
 
+/// Statements that are wanted first, if nothing that stays behind is in their way, and the rest.
+#[allow(clippy::type_complexity, reason = "two lists")]
+pub(super) fn first_of<'m>(
+    list: &[Statement<'m>],
+    is_wanted: &dyn Fn(usize, &Statement<'m>) -> bool,
+) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
+    let (mut first, mut rest, mut passed) = (Vec::new(), Vec::new(), Effects::default());
+    for (at, statement) in list.iter().enumerate() {
+        let effects = Effects::of(statement);
+        if is_wanted(at, statement) && effects.may_swap(&passed) {
+            first.push(statement.clone());
+        } else {
+            passed.join(&effects);
+            rest.push(statement.clone());
+        }
+    }
+    (first, rest)
+}
+
 /// Whether two expressions have the same value at the same moment, and can stand for each other in what is printed.
 pub(super) fn same(a: &Expr<'_>, b: &Expr<'_>) -> bool {
     match (a, b) {

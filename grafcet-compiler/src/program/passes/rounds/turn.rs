@@ -8,7 +8,7 @@ use super::super::parts::{Part, cut, gathers};
 use super::super::search::settle;
 use super::super::several::{Env, Several, Tie};
 use super::super::split::merged;
-use super::super::uses::{Effects, is_pure, is_written_in, reads_from, same_block, unset};
+use super::super::uses::{Effects, first_of, is_pure, is_written_in, reads_from, same_block, unset};
 use super::after::{After, Unit};
 use super::owners::owners;
 use crate::list::List;
@@ -208,25 +208,13 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     /// each of its arms would say it. And the rest.
     #[allow(clippy::type_complexity, reason = "two lists")]
     fn in_front(&self, list: &[Statement<'m>], states: usize) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
-        let (mut front, mut rest): (Vec<Statement<'m>>, Vec<Statement<'m>>) = (Vec::new(), Vec::new());
-        let mut passed = Effects::default();
-        for (at, statement) in list.iter().enumerate() {
-            let is_told = match statement {
-                Statement::Set(place, value @ Expr::Is(..)) if states >= TOLD => {
-                    let is_own = !self.is_kept(*place) && is_pure(value);
-                    is_own && !list[at + 1..].iter().any(|other| reads_from(other, *place))
-                }
-                _ => false,
-            };
-            let effects = Effects::of(statement);
-            if is_told && effects.may_swap(&passed) {
-                front.push(statement.clone());
-            } else {
-                passed.join(&effects);
-                rest.push(statement.clone());
+        first_of(list, &|at, statement| match statement {
+            Statement::Set(place, value @ Expr::Is(..)) if states >= TOLD => {
+                let is_own = !self.is_kept(*place) && is_pure(value);
+                is_own && !list[at + 1..].iter().any(|other| reads_from(other, *place))
             }
-        }
-        (front, rest)
+            _ => false,
+        })
     }
 
     /// Whether a place holds its value whoever reads it.

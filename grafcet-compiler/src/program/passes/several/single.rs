@@ -7,7 +7,7 @@ use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
-use super::super::uses::{Effects, each_asked, each_read, each_written, is_pure, writes_to};
+use super::super::uses::{Effects, each_asked, each_read, each_written, first_of, is_pure, writes_to};
 use super::{Env, Several, Tie};
 use crate::list::List;
 use crate::model::{Id, StepId};
@@ -64,26 +64,15 @@ impl<'m> Several<'_, 'm> {
     #[allow(clippy::type_complexity, reason = "two lists")]
     fn of_others(&self, region: usize, list: &[Statement<'m>], env: &Env) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
         let later = self.later(env);
-        let (mut others, mut rest, mut passed) = (Vec::new(), Vec::new(), Effects::default());
-        for statement in list {
-            let is_told = match statement {
-                Statement::Set(place, value @ Expr::Is(of, _)) => {
-                    let is_own = *of == self.states[region] || Some(*of) == self.was[region];
-                    let kept = |one: &Statement<'m>| matches!(one, Statement::Set(_, Expr::Place(of)) if of == place);
-                    let is_told = later.contains(*place) || list.iter().any(kept);
-                    !is_own && is_told && !self.places[place.0].is_field && is_pure(value)
-                }
-                _ => false,
-            };
-            let effects = Effects::of(statement);
-            if is_told && effects.may_swap(&passed) {
-                others.push(statement.clone());
-            } else {
-                passed.join(&effects);
-                rest.push(statement.clone());
+        first_of(list, &|_, statement| match statement {
+            Statement::Set(place, value @ Expr::Is(of, _)) => {
+                let is_own = *of == self.states[region] || Some(*of) == self.was[region];
+                let kept = |one: &Statement<'m>| matches!(one, Statement::Set(_, Expr::Place(of)) if of == place);
+                let is_told = later.contains(*place) || list.iter().any(kept);
+                !is_own && is_told && !self.places[place.0].is_field && is_pure(value)
             }
-        }
-        (others, rest)
+            _ => false,
+        })
     }
 
     /// What asks for the state before, as what is done when a step is left, and the rest of a part in which nothing evolves, if the first can be done first.
