@@ -78,6 +78,146 @@ fn partial_grafcets_end_one_after_the_other() {
     assert!(!ends(&modes("c")));
 }
 
+/// A loop that counts how often it turns, and turns while that is little, ends by itself.
+#[test]
+fn a_circle_that_counts_its_turns_ends() {
+    let ends = |text: &str| is_certain(&model(text));
+    let with = |ty: &str, count: &str, limit: &str| {
+        format!(
+            "var m: u8 = 0; var n: {ty} = 0; initial step S1; step S2 {{ {count} }} step S3; S1 -[a]-> S2 -[b]-> S3 -[{limit}]-> S2;"
+        )
+    };
+    let asked = |limit: &str| with("u8", "P1 n = n + 1;", limit);
+    for limit in ["n < 3", "c && n <= 2", "3 > n", "!(n >= 3)", "n == 1", "n < 3 && b || c && 2 > n", "!(n > 2 || c)"] {
+        assert!(ends(&asked(limit)), "{limit}");
+    }
+    for limit in ["c", "n < 3 || c", "n != 3", "n > 0", "n < m", "m < 3", "!(n >= 3 && c)"] {
+        assert!(!ends(&asked(limit)), "{limit}");
+    }
+    let counted = |count: &str| with("u8", count, "n < 3");
+    let counts = ["P1 n = 2 + n;", "P1 { n += 1; m = n; }", "P1 n = n.wrapping_add(1);", "P1 n = n.saturating_add(1);"];
+    for count in counts {
+        assert!(ends(&counted(count)), "{count}");
+    }
+    for count in [
+        "P1 n = n + 1 if c;",
+        "P1 n = n + m;",
+        "P1 n = n - 1;",
+        "P1 n = n + 0;",
+        "P1 n = 1;",
+        "P1 { if c { n += 1; } }",
+        "P1 { n += 1; n = 0; }",
+        "P0 n = n + 1;",
+        "on rising(c) n = n + 1;",
+        "P1 n = n + 1; P0 n = 0;",
+        "P1 n = n + 1; on rising(c) n = 0;",
+    ] {
+        assert!(!ends(&counted(count)), "{count}");
+    }
+    // From two on it is the last number of a type, or begins anew.
+    assert!(ends(&counted("P1 n = n.wrapping_add(253);")));
+    assert!(!ends(&counted("P1 n = n.wrapping_add(254);")));
+    assert!(ends(&with("u16", "P1 n = n.wrapping_add(254);", "n < 3")));
+    assert!(!ends(&with("i8", "P1 n = n + 1;", "n < 3")));
+    // What a transition does when it clears counts as well.
+    assert!(ends(&counted("").replace("[n < 3]-> S2", "[n < 3 => n = n + 1]-> S2")));
+}
+
+/// Nothing else on the way may write the count, every way round counts and is limited, and one step of it is active at a time.
+#[test]
+fn a_count_ends_a_circle_that_nothing_else_disturbs() {
+    let ends = |text: &str| is_certain(&model(text));
+    let with = |initial: &str, more: &str| {
+        format!(
+            "var n: u8 = 0; initial step S1; step S2 {{ P1 n = n + 1; }} {initial} step S3; step S4; S1 -[a]-> S2 -[b]-> S3 -[c && n < 3]-> S2; {more}"
+        )
+    };
+    let ring = |more: &str| with("", more);
+    assert!(ends(&ring("")));
+    assert!(ends(&ring("S3 -[n < 2 && !c]-> S4 -[b]-> S2;")));
+    assert!(!ends(&ring("").replace("step S3;", "step S3 { P1 n = 0; }")));
+    assert!(!ends(&ring("").replace("[b]", "[b => n = 0]")));
+    // A way round that is not limited, or that does not count.
+    let forked = |condition: &str, to: &str| {
+        ring("").replace("c && n < 3", "c && m && n < 3")
+            + &format!("var m: bool; S3 -[!m{condition}]-> S4 -[b]-> {to};")
+    };
+    assert!(ends(&forked(" && n < 2", "S2")));
+    assert!(!ends(&forked("", "S2")));
+    assert!(!ends(&forked(" && n < 2", "S3")));
+    // What is left and entered at once stays active, and does nothing anew (A4g).
+    let alone = "var n: u8 = 0; initial step S1; step S2 { P1 n = n + 1; } S1 -[a]-> S2 -[n < 3]-> S2;";
+    assert!(!ends(alone));
+    // Two tokens, of which one may wait where the other one counts.
+    assert!(!ends(&with("initial", "")));
+    assert!(!ends(&ring("S2 -[b]-> S4;  S4 -[c]-> S3;")));
+    assert!(!ends(&ring("").replace("-[b]-> S3 -[c", "-[b]-> (S3, S4) -[c")));
+    // By hand the chart can be put anywhere.
+    assert!(!ends(&format!("forceable; {}", ring(""))));
+
+    // Who leaves for good takes the only token along, and does not come back to begin anew.
+    let out = |condition: &str, back: &str| {
+        ring("").replace("step S4;", "step S4 { P1 n = 0; }") + &format!("S3 -[{condition}]-> S4 -[{back}]-> S2;")
+    };
+    assert!(ends(&out("c && n >= 3", "!c")));
+    assert!(!ends(&out("c && n >= 3", "c")));
+    // Here it does not: both may clear.
+    assert!(!ends(&out("c && n >= 2", "!c")));
+    assert!(!ends(&out("c && n >= 3", "!c").replace("n < 3", "n < 4")));
+    let spilt = |condition: &str| {
+        ring("").replace("step S4;", "step S4 { P1 n = 0; } step S5;") + &format!("S3 -[{condition}]-> S4 -[b]-> S5;")
+    };
+    let forked = ring("S6 -[b]-> S4 -[b]-> S5;").replace("step S4;", "step S4 { P1 n = 0; } step S5; step S6;");
+    assert!(!ends(&forked.replace("-[b]-> S3 -[c", "-[b]-> (S3, S6); S3 -[c")));
+    assert!(ends(&spilt("n >= 3")));
+    assert!(!ends(&spilt("b")));
+    // A reset on the way out is no other.
+    let left = |step: &str| {
+        ring("").replace("step S4;", "step S4 { P0 n = 0; }") + &format!("{step} -[c && n >= 3]-> S4 -[!c]-> S1;")
+    };
+    assert!(ends(&left("S3")));
+    assert!(!ends(&left("S3").replace("P0 n = 0", "N n = 0")));
+    // Another partial grafcet that resets it in a circle of its own.
+    let beside = |condition: &str| {
+        let other =
+            format!("partial Other {{ initial step T1; step T2 {{ P1 n = 0; }} T1 -[a]-> T2 -[{condition}]-> T1; }}");
+        ring("").replacen("initial step S1", "partial Own { initial step S1", 1) + "}" + &other
+    };
+    assert!(ends(&beside("!a").replace("P1 n = 0;", "")));
+    assert!(ends(&beside("!a")));
+    assert!(!ends(&beside("b")));
+}
+
+/// A search that a count ends has to end before its bound, as somebody who knows nothing of that would stop it there.
+#[test]
+fn a_count_ends_a_circle_within_the_bound() {
+    let chain = |limit: u32| {
+        let steps = "step S4; step S5; step S6; step S7; step S8; step S9; step S10; step S11;";
+        let chain = "S3 -[!b]-> S4 -[!b]-> S5 -[!b]-> S6 -[!b]-> S7 -[!b]-> S8 -[!b]-> S9 -[!b]-> S10 -[!b]-> S11;";
+        format!(
+            "initial step S1; step S2 {{ P1 n = n + 1; }} step S3; {steps} S1 -[a]-> S2 -[b]-> S3 -[n < {limit}]-> S2; {chain}"
+        )
+    };
+    let may_go_on = |text: &str| {
+        let model = model(&format!("var n: u8 = 0; {text}"));
+        assert!(is_certain(&model), "{text}");
+        Facts::of(&model).searches(&model).may_go_on
+    };
+    // Two transitions: eleven steps give 24 evolutions, of which the chain may take 14.
+    assert!(!may_go_on(&chain(4)));
+    assert!(may_go_on(&chain(5)));
+    assert!(may_go_on(&format!("max_evolutions 30; {}", chain(2))));
+    // Who puts the chart into the loop once more lets it begin anew.
+    let forced = |step: &str| {
+        let above = format!(
+            "partial Above {{ initial step T1; step T2 {{ force Own {{{step}}}; }} T1 -[c]-> T2 -[!c]-> T1; }}"
+        );
+        format!("{above} partial Own {{ {} }}", chain(4))
+    };
+    assert!(!may_go_on(&forced("S1")));
+    assert!(may_go_on(&forced("S2")));
+}
+
 /// A sequence has no second evolution after a step that nothing can leave in the cycle in which it is entered.
 #[test]
 fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
@@ -143,7 +283,7 @@ fn what_the_circles_do_not_tell_is_tried() {
     assert!(!tried(&format!("{ring} S1 -[a && b]-> S4;")));
     // What is not known at each moment of a cycle tells nothing.
     let counted = |bound: &str| {
-        format!("output n: u8 = 0; initial step S1; step S2 {{ P1 n = n + 1; }} S1 -[a {bound}]-> S2 -[a]-> S1;")
+        format!("output n: u8 = 0; initial step S1; step S2 {{ P1 n = n % 9 + 1; }} S1 -[a {bound}]-> S2 -[a]-> S1;")
     };
     assert!(!tried(&counted("&& n < 3")));
     // The bound is the chart's own, and so is the effort.

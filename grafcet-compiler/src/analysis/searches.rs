@@ -37,9 +37,16 @@ impl Searches {
 }
 
 pub(super) fn are_ended(model: &Model, stability: &Stability) -> bool {
+    let Some(counted) = stability.counted() else { return false };
     // Where each transition clears at most once, the chart gives the search long enough.
     let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
-    stability.is_certain() && model.max_evolutions.is_none_or(is_long)
+    model.max_evolutions.is_none_or(is_long) && (counted == 0 || counted + others(model) <= u64::from(bound(model)))
+}
+
+/// How many evolutions a search takes beside counted circles: each partial grafcet goes through its steps, after what only the first
+/// evolution sees or only the step that is active at the beginning has waited for.
+fn others(model: &Model) -> u64 {
+    (model.steps.len() + model.partials.len() + 2) as u64
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

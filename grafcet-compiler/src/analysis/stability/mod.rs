@@ -3,8 +3,9 @@
 //! A search without end clears some transitions again and again. Each of them is enabled anew by one that clears
 //! before it in the same cycle, so somewhere there is a circle of transitions that all clear on one set of inputs. Two
 //! transitions whose conditions exclude each other by what stays constant during a cycle never do, and some clear once a
-//! cycle at most. Where no circle is left without these, the search ends.
+//! cycle at most. Where no circle is left without these, and without those that count how often they turn, the search ends.
 
+mod counts;
 mod once;
 mod rounds;
 mod successors;
@@ -24,7 +25,8 @@ type Candidates = Set<TransitionId>;
 
 /// What is known about the end of the search.
 pub struct Stability {
-    certain: bool,
+    /// If every search ends, how many evolutions counts take to end circles.
+    counted: Option<u64>,
     at_once: bool,
     ends: Ends,
 }
@@ -58,7 +60,7 @@ impl Stability {
         let events = model.associations.values().filter(|one| one.qualifier == Qualifier::On).list();
         let has_events = !events.is_empty();
         if !events.iter().all(|one| once::happens_once(model, one)) || is_refilled(model) {
-            return Self { certain: false, at_once: false, ends: Ends::default() };
+            return Self { counted: None, at_once: false, ends: Ends::default() };
         }
         let mut successors = Successors::new(model);
         let all: Candidates = model.transitions.ids().collect();
@@ -66,12 +68,14 @@ impl Stability {
             && model.partials.len() == 1
             && model.forces.is_empty()
             && circles(&mut successors, &all).is_empty();
-        let certain = at_once || {
+        let counted = if at_once {
+            Some(0)
+        } else {
             let again = all.iter().copied().filter(|id| !once::clears_once(model, concurrency, *id)).collect();
-            ends(&mut successors, again, &all, &mut 0)
+            Turning { model, concurrency, successors: &mut successors, choices: 0 }.end(again, &all)
         };
         let ends = if has_events { Ends::default() } else { search_ends(model, &mut successors) };
-        Self { certain, at_once, ends }
+        Self { counted, at_once, ends }
     }
 
     /// Whether the situation after an evolution follows from the one before it and from what stays constant during a cycle: a
@@ -94,7 +98,13 @@ impl Stability {
     /// Every search ends.
     #[must_use]
     pub fn is_certain(&self) -> bool {
-        self.certain
+        self.counted.is_some()
+    }
+
+    /// Where every search ends, how many evolutions of it counts may take to end circles.
+    #[must_use]
+    pub fn counted(&self) -> Option<u64> {
+        self.counted
     }
 
     /// Where a search ends without another look.
@@ -149,24 +159,42 @@ pub fn is_constant_read(read: &Read) -> bool {
     matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_) | Read::Ticks(_))
 }
 
-/// Whether no set of transitions can clear again and again, all on one set of inputs, if it is one of `allowed` and has its
-/// circle in `focus`.
-fn ends(successors: &mut Successors<'_>, allowed: Candidates, focus: &Candidates, choices: &mut usize) -> bool {
-    let allowed = entered_again(successors, allowed);
-    let focus = focus.intersection(&allowed).copied().collect();
-    circles(successors, &focus).iter().all(|circle| {
+/// The transitions that may clear again and again in one search, as more and more of them are excluded.
+struct Turning<'s, 'm> {
+    model: &'m Model,
+    concurrency: &'s Concurrency,
+    successors: &'s mut Successors<'m>,
+    choices: usize,
+}
+
+impl Turning<'_, '_> {
+    /// If no set of transitions can clear again and again, all on one set of inputs, that is one of `allowed` and has its circle in
+    /// `focus`: the evolutions that counts take to end circles.
+    fn end(&mut self, allowed: Candidates, focus: &Candidates) -> Option<u64> {
+        let allowed = entered_again(self.successors, allowed);
+        let focus = focus.intersection(&allowed).copied().collect();
+        let mut counted = 0_u64;
+        for circle in circles(self.successors, &focus) {
+            counted = counted.checked_add(self.end_of(&allowed, &circle)?)?;
+        }
+        Some(counted)
+    }
+
+    fn end_of(&mut self, allowed: &Candidates, circle: &Candidates) -> Option<u64> {
         // Of a transition and those that exclude it, only the one or the others clear.
-        let Some((one, others)) = successors.choice(circle) else { return false };
-        *choices += 1;
-        if *choices > CHOICES {
-            return false;
+        let Some((one, others)) = self.successors.choice(circle) else {
+            return counts::turns(self.model, self.concurrency, self.successors, allowed, circle);
+        };
+        self.choices += 1;
+        if self.choices > CHOICES {
+            return None;
         }
         let mut without = |gone: &Candidates| {
             let rest = |all: &Candidates| all.difference(gone).copied().collect::<Candidates>();
-            ends(successors, rest(&allowed), &rest(circle), choices)
+            self.end(rest(allowed), &rest(circle))
         };
-        without(&Candidates::from([one])) && without(&others)
-    })
+        Some(without(&Candidates::from([one]))?.max(without(&others)?))
+    }
 }
 
 /// What is left of these transitions if each source step of each has to be entered by another one.

@@ -64,6 +64,17 @@ impl<'m> Successors<'m> {
         self.model.transitions.len()
     }
 
+    /// The steps that a transition activates, also by what they force or enclose.
+    pub(super) fn activates(&self, id: TransitionId) -> &Set<StepId> {
+        &self.activates[id.index()]
+    }
+
+    /// Whether two transitions never clear together, whatever changes within a search.
+    pub(super) fn exclude(&self, a: TransitionId, b: TransitionId) -> bool {
+        let condition = |id: TransitionId| self.logic.condition(&self.model.transitions[id].condition.tree);
+        self.model.exclude_each_other(a, b) || self.logic.exclusive(&condition(a), &condition(b))
+    }
+
     /// The transitions that one may enable.
     pub(super) fn after(&mut self, id: TransitionId) -> Vec<TransitionId> {
         let next: Vec<_> =

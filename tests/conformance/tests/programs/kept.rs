@@ -44,6 +44,23 @@ fn what_may_panic_is_not_asked_first() {
     assert!(program.contains("if n != 0 && 100 / n > 4: after = Run"), "{program}");
 }
 
+/// A search that a count ends needs nobody to stop it: nothing is kept to be taken back. One turn more than the bound allows, and it does.
+#[test]
+fn a_search_that_a_count_ends_keeps_nothing() {
+    let chart = |most: u32| {
+        format!(
+            "grafcet Pump {{ input a, b, c: bool; output p, q, r: bool; var n: u8 = 0; initial step Idle; step Fill {{ p; P1 n = n + 1; }} step Drain {{ q; }} \
+             step Full {{ r; P1 n = 0; }} step Rest; step Cool; step Warm; step Lock; \
+             Idle -[a]-> Fill -[b]-> Drain -[c && n < {most}]-> Fill; Drain -[n >= {most}]-> Full -[!b]-> Rest -[!c]-> Cool -[c]-> Warm -[!a]-> Lock -[a && b]-> Idle; }}"
+        )
+    };
+    for (most, is_kept) in [(2, false), (9, true)] {
+        let program = text(&chart(most));
+        assert_eq!(program.contains("stable"), is_kept, "{program}");
+        each_left_out(&read(&chart(most)), &storm(&["a", "b", "c"], 300), 100);
+    }
+}
+
 /// What goes on for longer than anybody asks is kept from wrapping around in one place, if several steps wait so.
 #[test]
 fn a_time_that_is_over_stays_over_for_any_length_of_time() {

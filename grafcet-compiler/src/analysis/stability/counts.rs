@@ -1,0 +1,250 @@
+//! Circles that a count ends: `Lift -[up && strokes < 2]-> Lower`, where `Lower` counts the strokes.
+//!
+//! Of what clears again and again in one search, nothing but such steps writes the count. So it grows, and each turn needs it to be small.
+
+use super::successors::Successors;
+use super::{Candidates, circles, entered_again};
+use crate::analysis::Concurrency;
+use crate::list::List;
+use crate::model::{
+    Binary, Computed, Effect, How, Integer, Model, Name, Place, Qualifier, Read, Statement, TransitionId, Tree, Ty,
+    Unary,
+};
+use crate::sorted::Set;
+
+/// A place that a circle counts in.
+struct Count {
+    /// The most that it holds where the circle goes on.
+    most: i128,
+    /// The transitions that need it to be no more.
+    limited: Candidates,
+    /// The transitions with which it grows, and by how much each.
+    grows: Vec<(TransitionId, i128)>,
+}
+
+/// After how many evolutions a count has ended the circle, if these are all that can clear again and again.
+pub(super) fn turns(
+    model: &Model,
+    concurrency: &Concurrency,
+    successors: &mut Successors<'_>,
+    allowed: &Candidates,
+    circle: &Candidates,
+) -> Option<u64> {
+    // Who forces a chart can put two of its steps beside each other.
+    if model.forceable || !is_one_path(model, concurrency, circle) {
+        return None;
+    }
+    let allowed = lasting(model, successors, allowed.clone());
+    // What brings the circle to life from outside could do so at any moment.
+    let enters = |id: &TransitionId| is_entry(model, successors, *id, circle);
+    if allowed.difference(circle).any(enters) {
+        return None;
+    }
+    // Each time that something else puts the chart into the circle, it begins anew.
+    let partial = circle.iter().map(|id| model.transitions[*id].partial).next()?;
+    let others = model.transitions.iter().filter(|(_, transition)| transition.partial != partial);
+    let entries = others.filter(|(id, _)| is_entry(model, successors, *id, circle)).count();
+    let places: Set<Place> = circle.iter().flat(|id| compared(&model.transitions[*id].condition.tree)).collect();
+    let ends = |place: &Place| {
+        let count = Count::of(model, successors, (&allowed, circle), *place)?;
+        Some(count.turns(successors, circle)? * (entries as u64 + 1))
+    };
+    let found: Vec<Option<u64>> = places.iter().map(ends).list();
+    found.into_iter().flatten().min()
+}
+
+/// Whether one step of the circle at most is active at a time, so that its transitions clear one after the other.
+fn is_one_path(model: &Model, concurrency: &Concurrency, circle: &Candidates) -> bool {
+    let transitions = circle.iter().map(|id| &model.transitions[*id]).list();
+    let steps = transitions.iter().flat(|transition| transition.sources.clone()).list();
+    let alone =
+        |at: usize| steps[..at].iter().all(|other| *other == steps[at] || !concurrency.together(*other, steps[at]));
+    transitions.iter().all(|one| one.sources.len() == 1 && one.sources != one.targets) && (0..steps.len()).all(alone)
+}
+
+/// Whether a transition activates a step of the circle.
+fn is_entry(model: &Model, successors: &Successors<'_>, id: TransitionId, circle: &Candidates) -> bool {
+    let steps = successors.activates(id);
+    circle.iter().any(|one| model.transitions[*one].sources.iter().any(|step| steps.contains(step)))
+}
+
+/// Without the transitions that take away, for good, one of the tokens that others only pass on.
+fn lasting(model: &Model, successors: &mut Successors<'_>, mut allowed: Candidates) -> Candidates {
+    loop {
+        let turning: Candidates = circles(successors, &allowed).into_iter().flatten().collect();
+        let leaving: Vec<TransitionId> = allowed.difference(&turning).copied().list();
+        let spent: Candidates = leaving.into_iter().filter(|id| is_spent(model, successors, &allowed, *id)).collect();
+        if spent.is_empty() {
+            return allowed;
+        }
+        allowed = entered_again(successors, allowed.difference(&spent).copied().collect());
+    }
+}
+
+/// Whether a transition that is in no circle clears a bounded number of times: what leads to it passes tokens on, one for one.
+fn is_spent(model: &Model, successors: &mut Successors<'_>, allowed: &Candidates, id: TransitionId) -> bool {
+    let mut before = Candidates::from([id]);
+    loop {
+        let more: Candidates = allowed
+            .difference(&before)
+            .copied()
+            .filter(|one| successors.after(*one).iter().any(|next| before.contains(next)))
+            .collect();
+        if more.is_empty() {
+            break;
+        }
+        before = before.into_iter().chain(more).collect();
+    }
+    let sources = |id: &TransitionId| &model.transitions[*id].sources[..];
+    let passes_on = |one: &TransitionId| {
+        let steps = successors.activates(*one);
+        let goes_on = |step: &&_| before.iter().any(|next| sources(next).contains(step));
+        sources(one).len() == 1 && steps.iter().filter(goes_on).count() <= 1
+    };
+    if !before.iter().all(passes_on) {
+        return false;
+    }
+    let all = before.iter().copied().list();
+    (0..all.len()).all(|at| {
+        all[..at].iter().all(|other| sources(other) != sources(&all[at]) || successors.exclude(*other, all[at]))
+    })
+}
+
+impl Count {
+    /// `None` where something in the way of the circle writes the place otherwise.
+    fn of(
+        model: &Model,
+        successors: &Successors<'_>,
+        (allowed, circle): (&Candidates, &Candidates),
+        place: Place,
+    ) -> Option<Self> {
+        let condition = |id: &TransitionId| limit(&model.transitions[*id].condition.tree, true, place);
+        let limits: Vec<(TransitionId, i128)> = circle.iter().filter_map(|id| Some((*id, condition(id)?))).list();
+        let most = limits.iter().map(|(_, limit)| *limit).max()?;
+        let mut grows = Vec::new();
+        for association in model.associations.values().filter(|one| one.effect.writes().contains(&place)) {
+            let step = association.step;
+            match association.qualifier {
+                Qualifier::P1 => {
+                    let by = if association.condition.is_none() { grown(&association.effect, place) } else { None };
+                    for id in allowed.iter().filter(|id| successors.activates(**id).contains(&step)) {
+                        grows.push((*id, by?));
+                    }
+                }
+                Qualifier::P0 => {
+                    let stays =
+                        model.forces.is_empty() && model.partials[model.steps[step].partial].enclosed_by.is_none();
+                    let is_left = allowed.iter().any(|id| model.transitions[*id].sources.contains(&step));
+                    if is_left || !stays {
+                        return None;
+                    }
+                }
+                _ => return None,
+            }
+        }
+        for id in allowed {
+            for effect in model.transitions[*id].clearing.iter().filter(|effect| effect.writes().contains(&place)) {
+                grows.push((*id, grown(effect, place)?));
+            }
+        }
+        let Ty::Int { rust, .. } = model.place_ty(place) else { return None };
+        let ty = Integer::of(rust)?;
+        // It does not come to the end of its type, where it would begin anew.
+        let (total, greatest) = (grows.iter().map(|(_, by)| by).sum::<i128>(), (1_i128 << ty.bits.min(32)) - 1);
+        let is_known = !ty.signed && most >= 0 && most.checked_add(total)? <= greatest;
+        let is_within = grows.iter().all(|(id, _)| circle.contains(id));
+        let limited = limits.into_iter().map(|(id, _)| id).collect();
+        (is_known && is_within && !grows.is_empty()).then_some(Self { most, limited, grows })
+    }
+
+    /// After how many evolutions the circle has ended, if each turn is limited and counted.
+    fn turns(&self, successors: &mut Successors<'_>, circle: &Candidates) -> Option<u64> {
+        let growing: Candidates = self.grows.iter().map(|(id, _)| *id).collect();
+        let mut is_broken =
+            |without: &Candidates| circles(successors, &circle.difference(without).copied().collect()).is_empty();
+        if !is_broken(&growing) || !is_broken(&self.limited) {
+            return None;
+        }
+        // Until the count is too large, and once more from there.
+        let by = self.grows.iter().map(|(_, by)| *by).min()?;
+        let grown = u64::try_from(self.most / by).ok()?;
+        grown.checked_add(2)?.checked_mul(circle.len() as u64)
+    }
+}
+
+/// The places that a condition compares with a number.
+fn compared(tree: &Tree) -> Vec<Place> {
+    match tree {
+        Tree::Unary(Unary::Not, inner) => compared(inner),
+        Tree::Binary(Binary::And | Binary::Or, a, b) => [compared(a), compared(b)].concat(),
+        Tree::Binary(_, a, b) => [a, b].into_iter().filter_map(|side| place_of(side)).list(),
+        _ => Vec::new(),
+    }
+}
+
+fn place_of(tree: &Tree) -> Option<Place> {
+    match tree {
+        Tree::Read(Read::Name(Name::Var(id))) => Some(Place::Var(*id)),
+        Tree::Read(Read::Name(Name::Output(id))) => Some(Place::Output(*id)),
+        _ => None,
+    }
+}
+
+/// The most that a place holds where a condition does, or where it does not.
+fn limit(tree: &Tree, holds: bool, place: Place) -> Option<i128> {
+    let side = |tree: &Tree| limit(tree, holds, place);
+    match tree {
+        Tree::Unary(Unary::Not, inner) => limit(inner, !holds, place),
+        Tree::Binary(operator @ (Binary::And | Binary::Or), a, b) => match (side(a), side(b)) {
+            (Some(a), Some(b)) if (*operator == Binary::And) == holds => Some(a.min(b)),
+            (Some(a), Some(b)) => Some(a.max(b)),
+            (one, other) if (*operator == Binary::And) == holds => one.or(other),
+            _ => None,
+        },
+        Tree::Binary(operator, a, b) => {
+            let (operator, number) = match (&**a, &**b) {
+                (read, Tree::Int(number)) if place_of(read) == Some(place) => (*operator, *number),
+                (Tree::Int(number), read) if place_of(read) == Some(place) => (operator.mirrored(), *number),
+                _ => return None,
+            };
+            match operator {
+                Binary::Lt if holds => number.checked_sub(1),
+                Binary::Ge if !holds => number.checked_sub(1),
+                Binary::Le | Binary::Eq if holds => Some(number),
+                Binary::Gt | Binary::Ne if !holds => Some(number),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// By how much an effect makes the place larger, if that is all it does to it.
+fn grown(effect: &Effect, place: Place) -> Option<i128> {
+    let value = match effect {
+        Effect::Assign(_, value) => &value.tree,
+        Effect::Block(code) => {
+            let mut values = code.statements.iter().flatten().filter_map(|statement| match statement {
+                Statement::Assign(to, value) => (*to == place).then_some(value),
+                Statement::If(..) => None,
+            });
+            let is_plain = code.statements.iter().flatten().all(|one| matches!(one, Statement::Assign(..)));
+            values.next().filter(|_| is_plain && values.next().is_none())?
+        }
+        Effect::Control(_) | Effect::Call(..) => return None,
+    };
+    let (a, b) = match value {
+        Tree::Binary(Binary::Add, a, b) => (&**a, &**b),
+        Tree::Opaque { of: Some(computed), .. } => match &**computed {
+            Computed { how: How::Wrapping(Binary::Add) | How::Saturating(Binary::Add), operands } => {
+                (operands.first()?, operands.get(1)?)
+            }
+            _ => return None,
+        },
+        _ => return None,
+    };
+    match (a, b) {
+        (read, Tree::Int(by)) | (Tree::Int(by), read) if place_of(read) == Some(place) && *by > 0 => Some(*by),
+        _ => None,
+    }
+}
