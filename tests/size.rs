@@ -152,6 +152,42 @@ fn memory_follows_from_use() {
     assert_eq!(size_of::<Calls>(), 1, "whether the next call is a first one the state tells");
 }
 
+chart! { sfc Wide {
+    var k: u64; var l: u8; var m: usize; var n: u16; var o: i32; var p: i8; var q: f32; var r: u64;
+    param v: u8 = 1; param w: u16 = 3;
+    step Second {
+        P1 {
+            k = k.wrapping_add(1); l = l.wrapping_add(v); m = m.wrapping_add(1); n = n.wrapping_add(w);
+            o = o.wrapping_add(1); p = p.wrapping_add(1); q += 1.0; r = r.wrapping_add(2);
+        }
+    }
+} }
+
+/// A type of the program: nobody knows what its address is a multiple of.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Grams(u8);
+
+chart! { sfc WideOwn {
+    var k: u64; var l: u8; var m: u64; var n: Grams = Grams(0); var o: u64; var p: u64;
+    step Second {
+        P1 {
+            k = k.wrapping_add(1); l = l.wrapping_add(1); m = m.wrapping_add(1); n = Grams(l);
+            o = o.wrapping_add(1); p = p.wrapping_add(2);
+        }
+    }
+    Second -[n == Grams(9)]-> First;
+} }
+
+/// A large state begins with what is small, which short instructions reach there. That takes no more bytes, whatever its fields are.
+#[test]
+fn a_large_state_wastes_none() {
+    let small = 1 + size_of::<u8>() + size_of::<i8>() + size_of::<u16>() + size_of::<WideParams>();
+    let words = size_of::<i32>() + size_of::<f32>() + size_of::<usize>();
+    assert_eq!(size_of::<WideParams>(), 4);
+    assert_eq!(size_of::<Wide>(), (small + words).next_multiple_of(align_of::<u64>()) + 2 * size_of::<u64>());
+    assert_eq!(size_of::<WideOwn>(), 3_usize.next_multiple_of(align_of::<u64>()) + 4 * size_of::<u64>());
+}
+
 chart! { sfc Timed { step Second; Second -[5s/Second]-> First; } }
 chart! { sfc TimedBranches {
     step Second; step A1; step A2; step B1; step B2;

@@ -17,15 +17,11 @@ The situation takes 2 bytes: for each of these sets of steps, which of them is a
     ::grafcet::__private::core::fmt::Debug,
     ::grafcet::__private::core::cmp::PartialEq
 )]
+#[repr(C)]
 pub struct Batch {
     region_0: __BatchRegion0,
     region_1: __BatchRegion1,
-    count: ::grafcet::__private::core::primitive::u16,
-    reading: ::grafcet::__private::Ticks,
     settled: ::grafcet::__private::bool,
-    time_heat: ::grafcet::__private::Ticks,
-    since_idle: ::grafcet::__private::Ticks,
-    delay0_since: ::grafcet::__private::Ticks,
     delay0_in: ::grafcet::__private::bool,
     delay0_out: ::grafcet::__private::bool,
     edge0_before: ::grafcet::__private::bool,
@@ -34,8 +30,13 @@ pub struct Batch {
     held_heat_3_: ::grafcet::__private::bool,
     held_stir_7_: ::grafcet::__private::bool,
     sd_ff_pump: ::grafcet::__private::bool,
-    sd_tmr_pump_held: ::grafcet::__private::Ticks,
     sd_tmr_pump_in: ::grafcet::__private::bool,
+    count: ::grafcet::__private::core::primitive::u16,
+    reading: ::grafcet::__private::Ticks,
+    time_heat: ::grafcet::__private::Ticks,
+    since_idle: ::grafcet::__private::Ticks,
+    delay0_since: ::grafcet::__private::Ticks,
+    sd_tmr_pump_held: ::grafcet::__private::Ticks,
     params: BatchParams,
 }
 #[automatically_derived]

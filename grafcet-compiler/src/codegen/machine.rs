@@ -46,6 +46,8 @@ pub(super) struct Field {
     pub(super) name: Ident,
     pub(super) ty: TokenStream,
     pub(super) initial: TokenStream,
+    /// What its address is a multiple of, in bytes, where that is known; of `usize` a little more than 4, as it is 8 on some machines.
+    pub(super) align: Option<u8>,
 }
 
 /// The parts of `next_deadline`.

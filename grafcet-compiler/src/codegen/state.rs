@@ -8,6 +8,7 @@ use crate::list::List;
 use crate::model::StepId;
 use crate::place::{self, quote};
 use crate::program::RegionId;
+use crate::sorted::sort_by_key;
 
 /// The enum of a region: the steps, of which at most one is active, what it has beside them, and how it is stored.
 pub(super) struct StateEnum {
@@ -132,21 +133,22 @@ pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>, drawing: &TokenStream) -
     let (vis, name) = (&model.vis, &model.name);
     let docs = types::docs(&model.attrs, &format!("The chart `{name}`."));
     let fields = &machine.fields;
-    let declared = fields.iter().map(|Field { name, ty, .. }| quote!(#name: #ty,));
+    let (layout, declared) = declared(cx, fields);
     let values = fields.iter().map(|Field { name, initial, .. }| quote!(#name: #initial,));
     let stored = machine.stored.iter().copied();
     let derives = derives::of(stored.and(model.params.values().map(|param| &param.ty))).of_chart();
     let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);
-    let (params_field, new) = constructors(cx, &quote!(#(#values)*));
+    let new = constructors(cx, &quote!(#(#values)*));
     let encoding = cx.encoding(machine).map(|text| format!("\n\n{text}"));
     let encoding = encoding.map(|text| quote!(#[doc = #text]));
-    let item = place::item("struct", name, &model.name, &quote!(#(#declared)* #params_field));
+    let item = place::item("struct", name, &model.name, &declared);
     quote! {
         #docs
         #drawing
         #encoding
         #derives
+        #layout
         #vis #item
 
         #written_out
@@ -162,8 +164,29 @@ pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>, drawing: &TokenStream) -
     }
 }
 
+/// The fields in their order, and what keeps it. An instruction of two bytes reaches so many bytes from where the struct begins, and as many words. So in one that
+/// is larger what is small stands first; rustc places it last. Where the alignment of a type is not known rustc decides, as it wastes none.
+fn declared(cx: &Cx<'_>, fields: &[Field]) -> (Option<TokenStream>, TokenStream) {
+    const REACH: usize = 32;
+    let params = (!cx.model.params.is_empty()).then(|| {
+        let name = &cx.names.params;
+        let aligned = cx.model.params.values().map(|param| types::align(&param.ty)).list();
+        (aligned.into_iter().try_fold(1, |most, align| Some(most.max(align?))), quote!(params: #name,))
+    });
+    let declared = fields.iter().map(|Field { name, ty, align, .. }| (*align, quote!(#name: #ty,)));
+    let mut declared = declared.and(params).list();
+    // Each takes as many bytes as its alignment at least.
+    let size = declared.iter().try_fold(0, |sum, (align, _)| align.map(|align| sum + usize::from(align)));
+    let is_ordered = size.is_some_and(|size| size > REACH);
+    if is_ordered {
+        sort_by_key(&mut declared, |(align, _)| *align);
+    }
+    let fields = declared.into_iter().map(|(_, field)| field).tokens();
+    (is_ordered.then(|| quote!(#[repr(C)])), fields)
+}
+
 /// `new`, and with a recipe `with_params`, `params` and `set_params`.
-fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, TokenStream) {
+fn constructors(cx: &Cx<'_>, values: &TokenStream) -> TokenStream {
     let (vis, name) = (&cx.model.vis, &cx.model.name);
     let doc = format!("A chart `{name}` in its initial situation; its activation belongs to the first cycle.");
     if cx.model.params.is_empty() {
@@ -174,7 +197,7 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
                 Self { #values }
             }
         };
-        return (None, new);
+        return new;
     }
     let params = &cx.names.params;
     let (given, bound) = (names::parameter("params", &quote!(#params)), names::bound_in_const("params"));
@@ -191,9 +214,9 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
 
             #exchanged
         };
-        return (Some(quote!(params: #params,)), new);
+        return new;
     }
-    let new = quote! {
+    quote! {
         #[doc = #doc]
         #[must_use]
         #vis const fn new() -> Self {
@@ -217,8 +240,7 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
         #vis fn set_params(&mut self, #given) {
             self.params = params_;
         }
-    };
-    (Some(quote!(params: #params,)), new)
+    }
 }
 
 /// `MotorStep::Off`

@@ -7,7 +7,7 @@ use syn::{Attribute, Type};
 
 use super::{Cx, cleared, derives, outside, requirements};
 use crate::list::List;
-use crate::model::{Expr, Model, OutputId, Ty};
+use crate::model::{Expr, Integer, Model, OutputId, Ty};
 use crate::place::{self, quote};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
@@ -20,6 +20,24 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
 pub(super) fn field(docs: &TokenStream, name: &Ident, ty: &TokenStream) -> TokenStream {
     let public = quote_spanned!(place::near(name.span())=> pub);
     quote!(#docs #public #name: #ty,)
+}
+
+/// What the address of a value is a multiple of, if its type is one that everybody knows.
+pub(super) fn align(ty: &Ty) -> Option<u8> {
+    match ty {
+        Ty::Bool(_) => Some(1),
+        Ty::Time(_) => Some(4),
+        Ty::Int { rust, .. } => {
+            let Integer { bits, is_size, .. } = Integer::of(rust)?;
+            Some(if is_size { 5 } else { u8::try_from(bits / 8).ok()? })
+        }
+        Ty::Other(Type::Path(path)) if path.qself.is_none() => match &*path.path.get_ident()?.to_string() {
+            "f32" | "char" => Some(4),
+            "f64" => Some(8),
+            _ => None,
+        },
+        Ty::Other(_) => None,
+    }
 }
 
 fn inputs(cx: &Cx<'_>) -> TokenStream {

@@ -74,7 +74,7 @@ impl<'m> Printer<'_, 'm> {
         let (p, bytes) = (&self.cx.p, Literal::usize_suffixed(flags.bytes()));
         let starts = flags.start.then_some(flags.start_bit());
         let initial = array(&flags.set(self.initial_bits().chain(starts)));
-        Field { name: field(), ty: quote!([#p::u8; #bytes]), initial }
+        Field { name: field(), ty: quote!([#p::u8; #bytes]), initial, align: Some(1) }
     }
 
     /// The bits of the steps of the initial situation.

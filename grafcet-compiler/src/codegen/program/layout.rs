@@ -185,10 +185,19 @@ impl Layout {
         &self.slot(place).name
     }
 
-    pub(super) fn number(&self, p: &TokenStream) -> TokenStream {
+    /// In bytes.
+    pub(super) fn number_size(&self) -> u8 {
         match self.highest {
-            0..=0xff => quote!(#p::u8),
-            0x100..=0xffff => quote!(#p::u16),
+            0..=0xff => 1,
+            0x100..=0xffff => 2,
+            _ => 4,
+        }
+    }
+
+    pub(super) fn number(&self, p: &TokenStream) -> TokenStream {
+        match self.number_size() {
+            1 => quote!(#p::u8),
+            2 => quote!(#p::u16),
             _ => quote!(#p::u32),
         }
     }

@@ -114,15 +114,34 @@ impl<'m> Printer<'_, 'm> {
         quote!(self.#name = #marked::of(#value);)
     }
 
+    /// The type with which an output or a variable is declared.
+    fn declared(&self, place: PlaceId) -> Option<&'m Ty> {
+        match self.info(place).role {
+            Role::Output(id) => Some(&self.cx.model.outputs[id].ty),
+            Role::Var(id) => Some(&self.cx.model.vars[id].ty),
+            _ => None,
+        }
+    }
+
+    /// What the address of a field is a multiple of, if that is known.
+    fn align(&self, place: PlaceId) -> Option<u8> {
+        // A search that did not become stable is marked by a bit above the state.
+        let is_marked = self.layout.slot(place).kind == Kind::Marked;
+        let of_count = |count: usize| if count <= if is_marked { 0x80 } else { 0x100 } { 1 } else { 2 };
+        match (self.info(place).ty, self.declared(place)) {
+            (Type::User(ty), _) | (_, Some(ty)) => types::align(ty),
+            (Type::Bool, _) => Some(1),
+            (Type::Ticks, _) => Some(4),
+            (ty @ Type::State(_), _) => Some(of_count(self.layout.states(self.program, ty).len())),
+            (Type::Number, _) => Some(self.layout.number_size()),
+            (Type::Kind { count, .. }, _) => usize::try_from(count).ok().map(of_count),
+        }
+    }
+
     /// The type of a place.
     pub(super) fn ty(&self, place: PlaceId) -> TokenStream {
-        let (p, model) = (&self.cx.p, self.cx.model);
-        let declared = match self.info(place).role {
-            Role::Output(id) => Some(&model.outputs[id].ty),
-            Role::Var(id) => Some(&model.vars[id].ty),
-            _ => None,
-        };
-        match (self.info(place).ty, declared) {
+        let p = &self.cx.p;
+        match (self.info(place).ty, self.declared(place)) {
             (Type::User(ty), _) | (_, Some(ty)) => types::rust_type(ty, p),
             (Type::Bool, _) => quote!(#p::bool),
             (Type::Ticks, _) => quote!(#p::Ticks),
@@ -156,15 +175,20 @@ impl<'m> Printer<'_, 'm> {
         for index in 0..self.program.places.len() {
             let place = PlaceId(index);
             let Slot { name, kind } = self.layout.slot(place);
-            let (name, ty) = (name.clone(), self.ty(place));
+            let (name, ty, align) = (name.clone(), self.ty(place), self.align(place));
             match kind {
-                Kind::Field => fields.push(Field { name, ty, initial: self.initial(place) }),
+                Kind::Field => fields.push(Field { name, ty, initial: self.initial(place), align }),
                 Kind::Late => {
-                    fields.push(Field { name, ty: quote!(#p::Option<#ty>), initial: quote!(#p::Option::None) });
+                    fields.push(Field { name, ty: quote!(#p::Option<#ty>), initial: quote!(#p::Option::None), align });
                 }
                 Kind::Marked => {
                     let (marked, initial) = (self.cx.names.marked(self.cx.plan), self.initial(place));
-                    fields.push(Field { name, ty: marked.to_token_stream(), initial: quote!(#marked::of(#initial)) });
+                    fields.push(Field {
+                        name,
+                        ty: marked.to_token_stream(),
+                        initial: quote!(#marked::of(#initial)),
+                        align,
+                    });
                 }
                 Kind::Unused
                 | Kind::Local
