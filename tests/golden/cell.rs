@@ -7,11 +7,7 @@
 )]
 /**
 
-The situation takes 3 bytes: for each of these sets of steps, which of them is active, if any. No two of a set are active together.
-
-- `Ready`, `Stopped`, `Restart`
-- `Idle`, `Feed`, `Close`, `Open`, `Auto`
-- `Count`*/
+The situation takes one byte: in which of 7 ways its 9 steps are active.*/
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
@@ -19,12 +15,11 @@ The situation takes 3 bytes: for each of these sets of steps, which of them is a
     ::grafcet::__private::core::cmp::PartialEq
 )]
 pub struct Cell {
-    region_0: __CellRegion0Mark,
-    region_1: __CellRegion1,
-    region_2: __CellRegion2,
+    region_0: __CellRegion0,
     clamp: ::grafcet::__private::core::primitive::bool,
     n: ::grafcet::__private::core::primitive::u16,
     edge0_before: ::grafcet::__private::bool,
+    stable: ::grafcet::__private::bool,
 }
 #[automatically_derived]
 impl ::grafcet::__private::core::cmp::Eq for Cell {}
@@ -33,12 +28,11 @@ impl Cell {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            region_0: __CellRegion0Mark::of(__CellRegion0::INIT),
-            region_1: __CellRegion1::Idle,
-            region_2: __CellRegion2::NONE,
+            region_0: __CellRegion0::INIT,
             clamp: false,
             n: 0,
             edge0_before: false,
+            stable: true,
         }
     }
 }
@@ -245,9 +239,13 @@ impl ::grafcet::__private::core::fmt::Display for CellTransition {
 )]
 #[doc(hidden)]
 enum __CellRegion0 {
-    Ready,
     Stopped,
     Restart,
+    Idle,
+    Feed,
+    Close,
+    Open,
+    Count,
     INIT,
 }
 #[automatically_derived]
@@ -260,104 +258,16 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
     ) -> ::grafcet::__private::core::fmt::Result {
         f_.write_str(
             ::grafcet::__private::name_at(
-                &["Ready", "Stopped", "Restart", "INIT"],
-                *self as ::grafcet::__private::usize,
-            ),
-        )
-    }
-}
-/// A state, and above it the mark of a search that did not become stable.
-#[derive(
-    ::grafcet::__private::core::clone::Clone,
-    ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::fmt::Debug
-)]
-#[doc(hidden)]
-struct __CellRegion0Mark(::grafcet::__private::u8);
-#[automatically_derived]
-impl ::grafcet::__private::core::cmp::Eq for __CellRegion0Mark {}
-impl __CellRegion0Mark {
-    const fn of(state_: __CellRegion0) -> Self {
-        Self(state_ as ::grafcet::__private::u8)
-    }
-    const fn state(self) -> __CellRegion0 {
-        let number_ = self.0 & 3u8;
-        if number_ >= 3u8 {
-            __CellRegion0::INIT
-        } else {
-            match number_ {
-                0u8 => __CellRegion0::Ready,
-                1u8 => __CellRegion0::Stopped,
-                _ => __CellRegion0::Restart,
-            }
-        }
-    }
-    /// Another state, and the mark as it is.
-    const fn with(self, state_: __CellRegion0) -> Self {
-        Self(self.0 & 4u8 | state_ as ::grafcet::__private::u8)
-    }
-    const fn unmarked(self) -> Self {
-        Self(self.0 & 3u8)
-    }
-    const fn marked(self) -> Self {
-        Self(self.0 | 4u8)
-    }
-    const fn is_marked(self) -> ::grafcet::__private::bool {
-        self.0 & 4u8 != 0
-    }
-}
-#[derive(
-    ::grafcet::__private::core::clone::Clone,
-    ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq
-)]
-#[doc(hidden)]
-enum __CellRegion1 {
-    Idle,
-    Feed,
-    Close,
-    Open,
-    Auto,
-    NONE,
-}
-#[automatically_derived]
-impl ::grafcet::__private::core::cmp::Eq for __CellRegion1 {}
-#[automatically_derived]
-impl ::grafcet::__private::core::fmt::Debug for __CellRegion1 {
-    fn fmt(
-        &self,
-        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
-    ) -> ::grafcet::__private::core::fmt::Result {
-        f_.write_str(
-            ::grafcet::__private::name_at(
-                &["Idle", "Feed", "Close", "Open", "Auto", "NONE"],
-                *self as ::grafcet::__private::usize,
-            ),
-        )
-    }
-}
-#[derive(
-    ::grafcet::__private::core::clone::Clone,
-    ::grafcet::__private::core::marker::Copy,
-    ::grafcet::__private::core::cmp::PartialEq
-)]
-#[doc(hidden)]
-enum __CellRegion2 {
-    Count,
-    NONE,
-}
-#[automatically_derived]
-impl ::grafcet::__private::core::cmp::Eq for __CellRegion2 {}
-#[automatically_derived]
-impl ::grafcet::__private::core::fmt::Debug for __CellRegion2 {
-    fn fmt(
-        &self,
-        f_: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
-    ) -> ::grafcet::__private::core::fmt::Result {
-        f_.write_str(
-            ::grafcet::__private::name_at(
-                &["Count", "NONE"],
+                &[
+                    "Stopped",
+                    "Restart",
+                    "Idle",
+                    "Feed",
+                    "Close",
+                    "Open",
+                    "Count",
+                    "INIT",
+                ],
                 *self as ::grafcet::__private::usize,
             ),
         )
@@ -371,8 +281,6 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion2 {
 )]
 pub struct CellSituation {
     region_0: __CellRegion0,
-    region_1: __CellRegion1,
-    region_2: __CellRegion2,
 }
 #[automatically_derived]
 impl ::grafcet::__private::core::cmp::Eq for CellSituation {}
@@ -387,15 +295,24 @@ impl CellSituation {
         step: CellStep,
     ) -> ::grafcet::__private::bool {
         match step_ {
-            CellStep::Ready => self.region_0 == __CellRegion0::Ready,
+            CellStep::Ready => {
+                ::grafcet::__private::core::matches!(
+                    self.region_0, __CellRegion0::Idle | __CellRegion0::Feed |
+                    __CellRegion0::Close | __CellRegion0::Open | __CellRegion0::Count
+                )
+            }
             CellStep::Stopped => self.region_0 == __CellRegion0::Stopped,
             CellStep::Restart => self.region_0 == __CellRegion0::Restart,
-            CellStep::Idle => self.region_1 == __CellRegion1::Idle,
-            CellStep::Feed => self.region_1 == __CellRegion1::Feed,
-            CellStep::Close => self.region_1 == __CellRegion1::Close,
-            CellStep::Open => self.region_1 == __CellRegion1::Open,
-            CellStep::Auto => self.region_1 == __CellRegion1::Auto,
-            CellStep::Count => self.region_2 == __CellRegion2::Count,
+            CellStep::Idle => {
+                ::grafcet::__private::core::matches!(
+                    self.region_0, __CellRegion0::Restart | __CellRegion0::Idle
+                )
+            }
+            CellStep::Feed => self.region_0 == __CellRegion0::Feed,
+            CellStep::Close => self.region_0 == __CellRegion0::Close,
+            CellStep::Open => self.region_0 == __CellRegion0::Open,
+            CellStep::Auto => self.region_0 == __CellRegion0::Count,
+            CellStep::Count => self.region_0 == __CellRegion0::Count,
         }
     }
 }
@@ -447,10 +364,9 @@ impl Cell {
                 bell: false,
             }
         };
-        let first_: ::grafcet::__private::bool = self.region_0.state()
-            == __CellRegion0::INIT;
+        let first_: ::grafcet::__private::bool = self.region_0 == __CellRegion0::INIT;
         if first_ {
-            self.region_0 = self.region_0.with(__CellRegion0::Ready);
+            self.region_0 = __CellRegion0::Idle;
             self.edge0_before = inputs_.part;
         }
         let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
@@ -458,20 +374,30 @@ impl Cell {
         let mut evolutions_: ::grafcet::__private::u32 = 0;
         loop {
             let mut moves_32__: ::grafcet::__private::bool = false;
-            let was_state_ready_: __CellRegion0 = self.region_0.state();
-            let was_state_idle_: __CellRegion1 = self.region_1;
-            let was_state_count_: __CellRegion2 = self.region_2;
+            let was_state_count_: __CellRegion0 = self.region_0;
             let mut next_clamp_: ::grafcet::__private::bool = self.clamp;
             let mut next_n_: ::grafcet::__private::core::primitive::u16 = self.n;
-            match self.region_0.state() {
-                __CellRegion0::Ready => {
+            match self.region_0 {
+                __CellRegion0::Stopped => {
+                    if !inputs_.estop {
+                        moves_32__ = true;
+                        self.region_0 = __CellRegion0::Restart;
+                        clears_auto_idle_ = false;
+                    } else {
+                        clears_auto_idle_ = false;
+                    }
+                }
+                __CellRegion0::Restart => {
+                    self.region_0 = __CellRegion0::Idle;
+                    moves_32__ = true;
+                    clears_auto_idle_ = false;
+                }
+                _ => {
                     if inputs_.estop {
-                        self.region_0 = self.region_0.with(__CellRegion0::Stopped);
                         moves_32__ = true;
                         clears_auto_idle_ = false;
-                        self.region_1 = __CellRegion1::NONE;
-                        self.region_2 = __CellRegion2::NONE;
-                        if was_state_count_ == __CellRegion2::Count && !self.edge0_before
+                        self.region_0 = __CellRegion0::Stopped;
+                        if was_state_count_ == __CellRegion0::Count && !self.edge0_before
                             && inputs_.part
                         {
                             next_n_ = {
@@ -480,26 +406,26 @@ impl Cell {
                             };
                         }
                     } else {
-                        match self.region_1 {
-                            __CellRegion1::Idle => {
+                        ::grafcet::__private::fence_on_armv6m();
+                        match self.region_0 {
+                            __CellRegion0::Idle => {
                                 if inputs_.start {
-                                    self.region_1 = __CellRegion1::Feed;
+                                    self.region_0 = __CellRegion0::Feed;
                                     clears_auto_idle_ = false;
                                     moves_32__ = true;
                                 } else {
                                     if inputs_.auto {
-                                        self.region_1 = __CellRegion1::Auto;
                                         clears_auto_idle_ = false;
                                         moves_32__ = true;
-                                        self.region_2 = __CellRegion2::Count;
+                                        self.region_0 = __CellRegion0::Count;
                                     } else {
                                         clears_auto_idle_ = false;
                                     }
                                 }
                             }
-                            __CellRegion1::Feed => {
+                            __CellRegion0::Feed => {
                                 if inputs_.full {
-                                    self.region_1 = __CellRegion1::Close;
+                                    self.region_0 = __CellRegion0::Close;
                                     clears_auto_idle_ = false;
                                     next_clamp_ = true;
                                     moves_32__ = true;
@@ -507,9 +433,9 @@ impl Cell {
                                     clears_auto_idle_ = false;
                                 }
                             }
-                            __CellRegion1::Close => {
+                            __CellRegion0::Close => {
                                 if inputs_.clamped {
-                                    self.region_1 = __CellRegion1::Open;
+                                    self.region_0 = __CellRegion0::Open;
                                     clears_auto_idle_ = false;
                                     next_clamp_ = false;
                                     moves_32__ = true;
@@ -517,25 +443,24 @@ impl Cell {
                                     clears_auto_idle_ = false;
                                 }
                             }
-                            __CellRegion1::Open => {
+                            __CellRegion0::Open => {
                                 if !inputs_.clamped {
-                                    self.region_1 = __CellRegion1::Idle;
+                                    self.region_0 = __CellRegion0::Idle;
                                     clears_auto_idle_ = false;
                                     moves_32__ = true;
                                 } else {
                                     clears_auto_idle_ = false;
                                 }
                             }
-                            __CellRegion1::Auto => {
+                            __CellRegion0::Count => {
                                 if !inputs_.part {
                                     if {
                                         let n = self.n;
                                         n >= 2
                                     } {
                                         clears_auto_idle_ = true;
-                                        self.region_1 = __CellRegion1::Idle;
                                         moves_32__ = true;
-                                        self.region_2 = __CellRegion2::NONE;
+                                        self.region_0 = __CellRegion0::Idle;
                                     } else {
                                         clears_auto_idle_ = false;
                                     }
@@ -553,36 +478,18 @@ impl Cell {
                         }
                     }
                 }
-                __CellRegion0::Stopped => {
-                    if !inputs_.estop {
-                        self.region_0 = self.region_0.with(__CellRegion0::Restart);
-                        moves_32__ = true;
-                        self.region_1 = __CellRegion1::Idle;
-                        clears_auto_idle_ = false;
-                    } else {
-                        clears_auto_idle_ = false;
-                    }
-                }
-                __CellRegion0::Restart => {
-                    self.region_0 = self.region_0.with(__CellRegion0::Ready);
-                    moves_32__ = true;
-                    clears_auto_idle_ = false;
-                }
-                _ => {}
             }
             if clears_auto_idle_ {
                 next_n_ = 0;
             }
             moves_32__ = moves_32__ || self.n != next_n_;
             if !moves_32__ {
-                self.region_0 = self.region_0.unmarked();
+                self.stable = true;
                 break;
             }
             if evolutions_ == 20 {
-                self.region_0 = self.region_0.marked();
-                self.region_0 = self.region_0.with(was_state_ready_);
-                self.region_1 = was_state_idle_;
-                self.region_2 = was_state_count_;
+                self.stable = false;
+                self.region_0 = was_state_count_;
                 break;
             }
             self.clamp = next_clamp_;
@@ -593,21 +500,17 @@ impl Cell {
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
-        if !self.region_0.is_marked() {
+        if self.stable {
             self.edge0_before = inputs_.part;
         }
-        match self.region_0.state() {
+        match self.region_0 {
             __CellRegion0::Stopped => {
                 outputs_.lamp = true;
             }
-            _ => {
-                match self.region_1 {
-                    __CellRegion1::Feed => {
-                        outputs_.belt = true;
-                    }
-                    _ => {}
-                }
+            __CellRegion0::Feed => {
+                outputs_.belt = true;
             }
+            _ => {}
         }
         outputs_.clamp = self.clamp;
         outputs_
@@ -628,74 +531,87 @@ impl Cell {
     ) -> ::grafcet::__private::bool {
         match step_ {
             CellStep::Ready => {
-                self.region_0.state() == __CellRegion0::Ready
-                    || self.region_0.state() == __CellRegion0::INIT
+                ::grafcet::__private::core::matches!(
+                    self.region_0, __CellRegion0::Idle | __CellRegion0::Feed |
+                    __CellRegion0::Close | __CellRegion0::Open | __CellRegion0::Count |
+                    __CellRegion0::INIT
+                )
             }
-            CellStep::Stopped => self.region_0.state() == __CellRegion0::Stopped,
-            CellStep::Restart => self.region_0.state() == __CellRegion0::Restart,
-            CellStep::Idle => self.region_1 == __CellRegion1::Idle,
-            CellStep::Feed => self.region_1 == __CellRegion1::Feed,
-            CellStep::Close => self.region_1 == __CellRegion1::Close,
-            CellStep::Open => self.region_1 == __CellRegion1::Open,
-            CellStep::Auto => self.region_1 == __CellRegion1::Auto,
-            CellStep::Count => self.region_2 == __CellRegion2::Count,
+            CellStep::Stopped => self.region_0 == __CellRegion0::Stopped,
+            CellStep::Restart => self.region_0 == __CellRegion0::Restart,
+            CellStep::Idle => {
+                ::grafcet::__private::core::matches!(
+                    self.region_0, __CellRegion0::Restart | __CellRegion0::Idle |
+                    __CellRegion0::INIT
+                )
+            }
+            CellStep::Feed => self.region_0 == __CellRegion0::Feed,
+            CellStep::Close => self.region_0 == __CellRegion0::Close,
+            CellStep::Open => self.region_0 == __CellRegion0::Open,
+            CellStep::Auto => self.region_0 == __CellRegion0::Count,
+            CellStep::Count => self.region_0 == __CellRegion0::Count,
         }
     }
     /// The active steps, in the order of their declaration; the capacity is the most that can be active.
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<CellStep, 3> {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
-        if self.region_0.state() == __CellRegion0::Ready
-            || self.region_0.state() == __CellRegion0::INIT
-        {
+        if ::grafcet::__private::core::matches!(
+            self.region_0, __CellRegion0::Idle | __CellRegion0::Feed |
+            __CellRegion0::Close | __CellRegion0::Open | __CellRegion0::Count |
+            __CellRegion0::INIT
+        ) {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Ready,
             );
         }
-        if self.region_0.state() == __CellRegion0::Stopped {
+        if self.region_0 == __CellRegion0::Stopped {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Stopped,
             );
         }
-        if self.region_0.state() == __CellRegion0::Restart {
+        if self.region_0 == __CellRegion0::Restart {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Restart,
             );
         }
-        if self.region_1 == __CellRegion1::Idle {
+        if ::grafcet::__private::core::matches!(
+            self.region_0, __CellRegion0::Restart | __CellRegion0::Idle |
+            __CellRegion0::INIT
+        ) {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Idle,
             );
         }
-        if self.region_1 == __CellRegion1::Feed {
+        if self.region_0 == __CellRegion0::Feed {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Feed,
             );
         }
-        if self.region_1 == __CellRegion1::Close {
+        if self.region_0 == __CellRegion0::Close {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Close,
             );
         }
-        if self.region_1 == __CellRegion1::Open {
+        if self.region_0 == __CellRegion0::Open {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Open,
             );
         }
-        if self.region_1 == __CellRegion1::Auto {
+        if self.region_0 == __CellRegion0::Count {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Auto,
             );
         }
-        if self.region_2 == __CellRegion2::Count {
+        if self.region_0 == __CellRegion0::Count {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
                 CellStep::Count,
@@ -707,12 +623,10 @@ impl Cell {
     #[must_use]
     pub const fn situation(&self) -> CellSituation {
         CellSituation {
-            region_0: match self.region_0.state() {
-                __CellRegion0::INIT => __CellRegion0::Ready,
+            region_0: match self.region_0 {
+                __CellRegion0::INIT => __CellRegion0::Idle,
                 entered_ => entered_,
             },
-            region_1: self.region_1,
-            region_2: self.region_2,
         }
     }
     /// Whether these steps are active, in any order, and no others: the same question for one active step and
@@ -731,7 +645,7 @@ impl Cell {
     /// and keeps the situation it had reached (decision A30).
     #[must_use]
     pub const fn is_stable(&self) -> ::grafcet::__private::bool {
-        !self.region_0.is_marked()
+        self.stable
     }
 }
 ///The variables of [`Cell`], as the last cycle has left them.

@@ -19,7 +19,7 @@ pub(super) struct Layout {
     pub(super) regions: Vec<States>,
     /// `encoding flags;`: what is stored instead of states.
     pub(super) flags: Option<Flags>,
-    /// Of a search that may have no end: what tells that is a bit above the state of the first region.
+    /// Of a search that may have no end: what tells that is a bit above the state of the first region, if it has no byte of its own.
     pub(super) mark: Option<Mark>,
     /// The highest number that a place of [`Type::Number`] holds.
     highest: u32,
@@ -78,7 +78,8 @@ impl Layout {
         taken[0].extend(["params", "situation"].map(str::to_owned));
         let mut slots = Vec::new();
         let (regions, has_mark) = (program.regions.len(), program.place(Role::Stable).is_some());
-        let is_marked = has_mark && regions > 0 && !cx.model.flags;
+        // Regions that share a place have a byte left for it, and would all have to look past the mark.
+        let is_marked = has_mark && regions > 0 && !cx.model.flags && program.united.is_empty();
         for (index, place) in program.places.iter().enumerate() {
             let kind = match place.role {
                 Role::State(0) if is_marked => Kind::Marked,

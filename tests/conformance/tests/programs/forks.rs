@@ -42,7 +42,7 @@ fn a_search_that_goes_on_for_ever_is_stopped_after_an_evolution() {
         WASH.replacen("input start", "max_evolutions 3; input start", 1),
     ] {
         let tried = text(&other, &[]);
-        assert!(tried.contains("state.Idle = was.state.Idle") && !tried.contains(end), "{tried}");
+        assert!(tried.contains("state.Idle = was.state.") && !tried.contains(end), "{tried}");
         is_the_same(&other);
     }
 }

@@ -61,6 +61,27 @@ fn a_search_that_a_count_ends_keeps_nothing() {
     }
 }
 
+/// Regions that share a place are taken back by one copy of it, whichever situation the bound has stopped, and tell in a byte of their own that it has.
+#[test]
+fn what_shares_a_place_is_taken_back_at_once() {
+    let chart = |most: u32| {
+        format!(
+            "grafcet Press {{ max_evolutions {most}; input stop, reset, a, b, c: bool; output p, q, alarm: bool; var n: u8 = 0; \
+             partial Safety {{ initial step Ready; step Stopped {{ alarm; force Modes {{}}; }} step Again {{ force Modes {{INIT}}; }} \
+             Ready -[stop]-> Stopped -[!stop && reset]-> Again -[true]-> Ready; }} \
+             partial Modes {{ initial step Hand; enclosing step Auto {{ partial Inner {{ linked step Up {{ p; }} step Down {{ q; P1 n = (n + 1) % 5; }} \
+             Up -[a]-> Down -[b]-> Up; }} }} Hand -[c && !stop]-> Auto -[!c && Inner::Up.X && n < 3]-> Hand; }} \
+             partial Beside {{ initial step Off; step On; Off -[Inner::Down.X]-> On -[Inner::Up.X || stop]-> Off; }} }}"
+        )
+    };
+    let program = text(&chart(4));
+    assert_eq!(program.matches(" = was.state.").count(), 2, "{program}");
+    assert!(program.contains("  stable: bool = true\n") && program.contains("      stable = false\n"), "{program}");
+    for most in [1, 2, 4, 7] {
+        each_left_out(&read(&chart(most)), &storm(&["stop", "reset", "a", "b", "c"], 300), 100);
+    }
+}
+
 /// What goes on for longer than anybody asks is kept from wrapping around in one place, if several steps wait so.
 #[test]
 fn a_time_that_is_over_stays_over_for_any_length_of_time() {

@@ -16,13 +16,14 @@
 //! An emergency stop leaves no mode, and production is within one of the modes: who writes that by hand has one state for all. Each state is named after a
 //! step that is active in it.
 //!
-//! Needs: which states meet is known; each way that writes these states leads to one state; they are asked for as steps alone.
+//! Needs: which states meet is known; each way that writes these states leads to one state, or takes all of them back to what they were when they were copied; they are asked for as steps alone.
 
 mod walk;
 
 use super::super::united::United;
 use super::super::{Initial, Meeting, PlaceId, Program, Role, Statement, Type, Value};
 use super::dead::drop_places;
+use super::uses::{Effects, blocks_mut};
 use crate::model::{Id, StepId};
 use crate::sorted::{Map, Set, sort_by_key, sort_unstable};
 
@@ -133,6 +134,10 @@ impl Group {
 
     fn unite<'m>(&self, program: &mut Program<'m>, cycle: Vec<Statement<'m>>, names: &Names) {
         program.cycle = cycle;
+        let read = Effects::of_all(&program.cycle).reads;
+        let unread: Vec<PlaceId> =
+            self.copies.iter().map(|(copy, _)| *copy).filter(|copy| !read.contains(copy)).collect();
+        without(&mut program.cycle, &unread);
         super::without_empty(&mut program.cycle);
         if let Some(mut deadline) = program.deadline.take() {
             let walk = JointWalk::of(self, program, Some(names));
@@ -166,6 +171,14 @@ impl Group {
         }
         program.united.push(United { regions: self.regions.clone(), states });
     }
+}
+
+/// Of several copies that tell the same, those that nobody reads any more are not made.
+fn without(statements: &mut Vec<Statement<'_>>, unread: &[PlaceId]) {
+    for block in statements.iter_mut().flat_map(blocks_mut) {
+        without(block, unread);
+    }
+    statements.retain(|one| !matches!(one, Statement::Set(place, _) if unread.contains(place)));
 }
 
 /// The states that regions may have at the same time, if there are no more than so many and one in which none of them has a step.

@@ -1,11 +1,13 @@
 //! A cycle gone through with the states that several regions may have together at each place of it, and written anew for one place that tells all of them.
 
 mod asked;
+mod copied;
 
 use super::super::super::{Arm, Comparison, Expr, PlaceId, Program, Statement, Value};
 use super::super::uses::{Effects, is_pure, rewrite, writes_to};
 use super::{Group, Joint, Names};
 use crate::sorted::Set;
+use copied::Copied;
 use std::cell::Cell;
 
 pub(super) struct JointWalk<'w, 'm> {
@@ -18,6 +20,12 @@ pub(super) struct JointWalk<'w, 'm> {
     met: Set<Joint>,
     /// With what each loop around is left.
     left: Vec<Set<Point>>,
+    /// The copies of the states that have been made on every way to here.
+    copied: Vec<Copied>,
+    /// How often states have been written.
+    writes: usize,
+    /// How many blocks stand around this one.
+    depth: usize,
     fails: Cell<bool>,
 }
 
@@ -36,8 +44,8 @@ pub(super) struct Rewritten<'m> {
 impl<'w, 'm> JointWalk<'w, 'm> {
     pub(super) fn of(group: &'w Group, program: &'w Program<'m>, names: Option<&'w Names>) -> Self {
         let truth = truth(group, program);
-        let (met, left) = (Set::new(), Vec::new());
-        Self { group, program, names, truth, met, left, fails: Cell::new(false) }
+        let (met, left, copied) = (Set::new(), Vec::new(), Vec::new());
+        Self { group, program, names, truth, met, left, copied, writes: 0, depth: 0, fails: Cell::new(false) }
     }
 
     /// The whole cycle, if it leads from what the states are between two cycles to the same.
@@ -77,12 +85,22 @@ impl<'w, 'm> JointWalk<'w, 'm> {
         let mut new = Vec::new();
         // Where the states have been written and are not yet stored: before which statement, and what they were.
         let mut open: Option<(usize, Set<Point>)> = None;
-        for statement in statements {
+        let mut at = 0;
+        while let Some(statement) = statements.get(at) {
             if now.is_empty() || self.fails.get() {
                 break;
             }
+            if let Some(back) = self.taken_back(&statements[at..]) {
+                self.store(&mut open, &now, &mut new);
+                now = back.now;
+                new.push(back.statement);
+                at += back.statements;
+                continue;
+            }
+            at += 1;
             if let Statement::Set(place, value) = statement {
                 if let Some(side) = self.side(*place) {
+                    self.writes += 1;
                     let Expr::Value(value @ (Value::Step(_) | Value::Start(_))) = value else {
                         self.fail();
                         break;
@@ -100,6 +118,15 @@ impl<'w, 'm> JointWalk<'w, 'm> {
         }
         self.store(&mut open, &now, &mut new);
         (new, now)
+    }
+
+    /// A block within the one that is gone through, of which those after it do not know whether it is on their way.
+    fn within(&mut self, statements: &[Statement<'m>], now: Set<Point>) -> (Vec<Statement<'m>>, Set<Point>) {
+        self.depth += 1;
+        let found = self.block(statements, now);
+        self.depth -= 1;
+        self.copied.retain(|copied| copied.depth <= self.depth);
+        found
     }
 
     /// Whether a statement has to know the states, or hands them on.
@@ -141,9 +168,11 @@ impl<'w, 'm> JointWalk<'w, 'm> {
             }
             Statement::Set(place, Expr::Place(of)) if self.group.copy(*place).is_some() && self.side(*of).is_some() => {
                 new.push(Statement::Set(*place, Expr::Place(self.group.places[0])));
+                self.copy(*place, &now);
                 now
             }
             Statement::Set(place, value) => {
+                self.forget(*place);
                 new.push(Statement::Set(*place, self.expr(value, &now)));
                 if self.truth != Some(*place) {
                     return now;
@@ -162,11 +191,11 @@ impl<'w, 'm> JointWalk<'w, 'm> {
                     }
                     let (mut kept, mut after) = (Vec::new(), Set::new());
                     for (values, body) in arms {
-                        let (body, end) = self.block(body, now.clone());
+                        let (body, end) = self.within(body, now.clone());
                         kept.push((values.clone(), body));
                         after.extend(end);
                     }
-                    let (otherwise, end) = self.block(otherwise, now);
+                    let (otherwise, end) = self.within(otherwise, now);
                     after.extend(end);
                     new.push(Statement::Match(*place, kept, otherwise));
                     after
@@ -209,7 +238,7 @@ impl<'w, 'm> JointWalk<'w, 'm> {
         let told = is_pure(condition) && ways.iter().any(|way| way.is_empty());
         let asked = self.expr(condition, now);
         let [then, otherwise] =
-            [(then, &ways[0]), (otherwise, &ways[1])].map(|(body, way)| self.block(body, way.clone()));
+            [(then, &ways[0]), (otherwise, &ways[1])].map(|(body, way)| self.within(body, way.clone()));
         let mut after = then.1;
         after.extend(otherwise.1);
         match (told, ways[0].is_empty()) {
@@ -238,12 +267,12 @@ impl<'w, 'm> JointWalk<'w, 'm> {
             }
             let mut names = Set::new();
             names.extend(here.iter().map(|point| self.name(&point.joint)));
-            let (body, end) = self.block(body, here);
+            let (body, end) = self.within(body, here);
             after.extend(end);
             kept.push((names.into_iter().collect::<Vec<_>>(), body));
         }
         let is_told = rest.is_empty();
-        let (mut otherwise, end) = self.block(otherwise, rest);
+        let (mut otherwise, end) = self.within(otherwise, rest);
         after.extend(end);
         // What most of the states do needs no list of them.
         let most = (0..kept.len()).max_by_key(|at| kept[*at].0.len()).filter(|at| is_told && kept[*at].0.len() > 1);
@@ -271,7 +300,7 @@ impl<'w, 'm> JointWalk<'w, 'm> {
         let mut head = now;
         loop {
             self.left.push(Set::new());
-            let (new, back) = self.block(body, head.clone());
+            let (new, back) = self.within(body, head.clone());
             let left = self.left.pop().unwrap_or_default();
             let known = head.len();
             head.extend(back);
