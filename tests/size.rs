@@ -152,6 +152,39 @@ fn memory_follows_from_use() {
     assert_eq!(size_of::<Calls>(), 1, "whether the next call is a first one the state tells");
 }
 
+/// A type of the program: nobody knows what its address is a multiple of.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Grams(u8);
+
+chart! { grafcet Unsure { output n: u16; step Second { P1 n = n.wrapping_add(1); } } }
+chart! { grafcet UnsureAndFull { output n: u16; var m: u8; step Second { P1 n = n.wrapping_add(1); P1 m = m.wrapping_add(1); } Second -[m == 77]-> First; } }
+chart! { grafcet UnsureAndOwn { output n: u16; var m: Grams = Grams(0); step Second { P1 n = n.wrapping_add(1); P1 m = Grams(m.0.wrapping_add(1)); } Second -[m == Grams(77)]-> First; } }
+chart! { grafcet UnsureRecipe { output n: u16; param k: u8 = 77; step Second { P1 n = n.wrapping_add(1); } Second -[level == u16::from(k)]-> First; } }
+
+/// Whether a search became stable takes a byte that alignment leaves, or none.
+#[test]
+fn a_search_that_may_have_no_end() {
+    assert_eq!(size_of::<Line24V>(), 1, "a bit above the state");
+    assert_eq!(size_of::<Unsure>(), 1 + 2 + 1, "the byte that is left");
+    assert_eq!(size_of::<UnsureAndFull>(), 1 + 1 + 2, "a bit above the state: no byte is left");
+    assert_eq!(size_of::<UnsureAndOwn>(), 1 + 1 + 2, "the same: nobody knows what the type of the program takes");
+    assert_eq!(size_of::<UnsureRecipe>(), 1 + 1 + 2, "the recipe counts, too");
+    macro_rules! is_stable {
+        ($chart:ident, $inputs:ident) => {{
+            let mut chart = $chart::new();
+            let told = [(true, true), (true, false), (true, true), (true, true), (false, false)].map(|(a, b)| {
+                _ = chart.cycle(&$inputs { a, b, level: 0 });
+                chart.is_stable()
+            });
+            assert_eq!(told, [false, true, false, false, true], stringify!($chart));
+        }};
+    }
+    is_stable!(Unsure, UnsureInputs);
+    is_stable!(UnsureAndFull, UnsureAndFullInputs);
+    is_stable!(UnsureAndOwn, UnsureAndOwnInputs);
+    is_stable!(UnsureRecipe, UnsureRecipeInputs);
+}
+
 chart! { sfc Wide {
     var k: u64; var l: u8; var m: usize; var n: u16; var o: i32; var p: i8; var q: f32; var r: u64;
     param v: u8 = 1; param w: u16 = 3;
@@ -162,10 +195,6 @@ chart! { sfc Wide {
         }
     }
 } }
-
-/// A type of the program: nobody knows what its address is a multiple of.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Grams(u8);
 
 chart! { sfc WideOwn {
     var k: u64; var l: u8; var m: u64; var n: Grams = Grams(0); var o: u64; var p: u64;

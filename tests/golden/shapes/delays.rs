@@ -1,42 +1,10 @@
 // Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
 
-#[repr(u32)]
 enum __VatState {
     Idle,
     Fill,
     Heat,
     INIT,
-}
-struct __VatStateMark(u8);
-impl __VatStateMark {
-    const fn of(state_: __VatState) -> Self {
-        Self(state_ as u8)
-    }
-    const fn state(self) -> __VatState {
-        let number_ = self.0 & 3u8;
-        if number_ >= 3u8 {
-            __VatState::INIT
-        } else {
-            match number_ {
-                0u8 => __VatState::Idle,
-                1u8 => __VatState::Fill,
-                _ => __VatState::Heat,
-            }
-        }
-    }
-    /// Another state, and the mark as it is.
-    const fn with(self, state_: __VatState) -> Self {
-        Self(self.0 & 4u8 | state_ as u8)
-    }
-    const fn unmarked(self) -> Self {
-        Self(self.0 & 3u8)
-    }
-    const fn marked(self) -> Self {
-        Self(self.0 | 4u8)
-    }
-    const fn is_marked(self) -> bool {
-        self.0 & 4u8 != 0
-    }
 }
 impl Vat {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
@@ -63,10 +31,9 @@ impl Vat {
                 heat: false,
             }
         };
-        let first_: bool = self.situation.state()
-            == __VatState::INIT;
+        let first_: bool = self.situation == __VatState::INIT;
         if first_ {
-            self.situation = self.situation.with(__VatState::Idle);
+            self.situation = __VatState::Idle;
         }
         self.reading = now_;
         if inputs_.stop {
@@ -134,9 +101,9 @@ impl Vat {
             self.delay2_in = false;
             self.delay2_out = false;
         }
-        let mut now_state_: __VatState = self.situation.state();
-        self.situation = __VatStateMark::of(now_state_);
-        self.situation = self.situation.unmarked();
+        let mut now_state_: __VatState = self.situation;
+        self.situation = now_state_;
+        self.stable = true;
         let mut evolutions_: u32 = 0;
         loop {
             let inputs_ = core::hint::black_box(inputs_);
@@ -167,18 +134,18 @@ impl Vat {
                     break;
                 }
             }
-            self.situation = __VatStateMark::of(now_state_);
-            self.situation = self.situation.unmarked();
+            self.situation = now_state_;
+            self.stable = true;
             evolutions_ = evolutions_.wrapping_add(1);
             if evolutions_ == 8 {
-                self.situation = self.situation.marked();
+                self.stable = false;
                 break;
             }
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        match self.situation.state() {
+        match self.situation {
             __VatState::Fill => {
                 outputs_ = const {
                     VatOutputs {
@@ -213,9 +180,7 @@ impl Vat {
     fn next_deadline(
         &self,
     ) -> Option<Ticks> {
-        if !(!(self.situation.state() == __VatState::INIT)
-            && !self.situation.is_marked())
-        {
+        if !(!(self.situation == __VatState::INIT) && self.stable) {
             return Option::Some(self.reading);
         }
         let mut soonest_ = Option::None;

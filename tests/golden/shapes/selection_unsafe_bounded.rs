@@ -5,36 +5,6 @@ enum __FloatRegion0 {
     NONE,
     INIT,
 }
-struct __FloatRegion0Mark(u8);
-impl __FloatRegion0Mark {
-    const fn of(state_: __FloatRegion0) -> Self {
-        Self(state_ as u8)
-    }
-    const fn state(self) -> __FloatRegion0 {
-        let number_ = self.0 & 3u8;
-        if number_ >= 2u8 {
-            __FloatRegion0::INIT
-        } else {
-            match number_ {
-                0u8 => __FloatRegion0::Rest,
-                _ => __FloatRegion0::NONE,
-            }
-        }
-    }
-    /// Another state, and the mark as it is.
-    const fn with(self, state_: __FloatRegion0) -> Self {
-        Self(self.0 & 4u8 | state_ as u8)
-    }
-    const fn unmarked(self) -> Self {
-        Self(self.0 & 3u8)
-    }
-    const fn marked(self) -> Self {
-        Self(self.0 | 4u8)
-    }
-    const fn is_marked(self) -> bool {
-        self.0 & 4u8 != 0
-    }
-}
 enum __FloatRegion1 {
     Fill,
     NONE,
@@ -59,25 +29,24 @@ impl Float {
                 drain: false,
             }
         };
-        let first_: bool = self.region_0.state()
-            == __FloatRegion0::INIT;
+        let first_: bool = self.region_0 == __FloatRegion0::INIT;
         if first_ {
-            self.region_0 = self.region_0.with(__FloatRegion0::Rest);
+            self.region_0 = __FloatRegion0::Rest;
         }
         let inputs_ = core::hint::black_box(inputs_);
         let mut evolutions_: u32 = 0;
         loop {
-            let was_state_rest_: __FloatRegion0 = self.region_0.state();
+            let was_state_rest_: __FloatRegion0 = self.region_0;
             let was_state_fill_: __FloatRegion1 = self.region_1;
             let was_state_drain_: __FloatRegion2 = self.region_2;
-            let clears_rest_fill_: bool = self.region_0.state()
+            let clears_rest_fill_: bool = self.region_0
                 == __FloatRegion0::Rest && inputs_.on
                 && ({
                     let level = inputs_.level;
                     let low = self.params.low;
                     level < low
                 });
-            let clears_rest_drain_: bool = self.region_0.state()
+            let clears_rest_drain_: bool = self.region_0
                 == __FloatRegion0::Rest && inputs_.on
                 && ({
                     let level = inputs_.level;
@@ -103,7 +72,7 @@ impl Float {
                     level <= high - 2.0
                 }) || !inputs_.on);
             if clears_rest_fill_ || clears_rest_drain_ {
-                self.region_0 = self.region_0.with(__FloatRegion0::NONE);
+                self.region_0 = __FloatRegion0::NONE;
             }
             if clears_fill_rest_ {
                 self.region_1 = __FloatRegion1::NONE;
@@ -112,7 +81,7 @@ impl Float {
                 self.region_2 = __FloatRegion2::NONE;
             }
             if clears_fill_rest_ || clears_drain_rest_ {
-                self.region_0 = self.region_0.with(__FloatRegion0::Rest);
+                self.region_0 = __FloatRegion0::Rest;
             }
             if clears_rest_fill_ {
                 self.region_1 = __FloatRegion1::Fill;
@@ -121,16 +90,16 @@ impl Float {
                 self.region_2 = __FloatRegion2::Drain;
             }
             let mut moves_22__: bool = was_state_rest_
-                != self.region_0.state();
+                != self.region_0;
             moves_22__ = moves_22__ || was_state_fill_ != self.region_1;
             moves_22__ = moves_22__ || was_state_drain_ != self.region_2;
             if !moves_22__ {
-                self.region_0 = self.region_0.unmarked();
+                self.stable = true;
                 break;
             }
             if evolutions_ == 8 {
-                self.region_0 = self.region_0.marked();
-                self.region_0 = self.region_0.with(was_state_rest_);
+                self.stable = false;
+                self.region_0 = was_state_rest_;
                 self.region_1 = was_state_fill_;
                 self.region_2 = was_state_drain_;
                 break;
@@ -218,12 +187,12 @@ impl Float {
                     drain: false,
                 }
             };
-            self.region_0 = self.region_0.with(forced0_);
+            self.region_0 = forced0_;
             self.region_1 = forced1_;
             self.region_2 = forced2_;
             let was_state_fill_: __FloatRegion1 = self.region_1;
             let was_state_drain_: __FloatRegion2 = self.region_2;
-            self.region_0 = self.region_0.unmarked();
+            self.stable = true;
             let next_fill_: bool = was_state_fill_
                 == __FloatRegion1::Fill;
             let next_drain_: bool = was_state_drain_

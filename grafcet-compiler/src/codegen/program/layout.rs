@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, TokenStream};
 
+use super::bytes;
 use super::constants::{self, Constant};
 use super::flags::Flags;
 use crate::codegen::{Cx, force, names};
@@ -19,7 +20,7 @@ pub(super) struct Layout {
     pub(super) regions: Vec<States>,
     /// `encoding flags;`: what is stored instead of states.
     pub(super) flags: Option<Flags>,
-    /// Of a search that may have no end: what tells that is a bit above the state of the first region, if it has no byte of its own.
+    /// Of a search that may have no end: what tells that is a bit above the state of the first region, if no byte is left for it.
     pub(super) mark: Option<Mark>,
     /// The highest number that a place of [`Type::Number`] holds.
     highest: u32,
@@ -116,6 +117,15 @@ impl Layout {
                 slot.kind = Kind::Unset(flags.unstable_bit());
             }
         }
+        let sizes = (&used.regions[..], number_size(used.highest));
+        let is_marked = is_marked && !bytes::is_one_left(cx, program, &slots, sizes);
+        if !is_marked {
+            for slot in &mut slots {
+                if matches!(slot.kind, Kind::Marked | Kind::Mark) {
+                    slot.kind = Kind::Field;
+                }
+            }
+        }
         let mark = is_marked.then_some(Mark { is_wide: regions == 1 && !used.has_tables });
         Self { slots, regions: used.regions, flags, mark, highest: used.highest }
     }
@@ -188,11 +198,7 @@ impl Layout {
 
     /// In bytes.
     pub(super) fn number_size(&self) -> u8 {
-        match self.highest {
-            0..=0xff => 1,
-            0x100..=0xffff => 2,
-            _ => 4,
-        }
+        number_size(self.highest)
     }
 
     pub(super) fn number(&self, p: &TokenStream) -> TokenStream {
@@ -201,6 +207,14 @@ impl Layout {
             2 => quote!(#p::u16),
             _ => quote!(#p::u32),
         }
+    }
+}
+
+fn number_size(highest: u32) -> u8 {
+    match highest {
+        0..=0xff => 1,
+        0x100..=0xffff => 2,
+        _ => 4,
     }
 }
 

@@ -7,6 +7,7 @@
 //! - `user`: Rust of the user, after bindings of what it reads
 //! - `constants`: those in statements and expressions
 
+mod bytes;
 mod constants;
 mod expr;
 mod flags;

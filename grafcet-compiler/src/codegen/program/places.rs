@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
 
 use super::Printer;
+use super::bytes::{self, Bytes};
 use super::constants::{self, Constant};
 use super::expr::kind_type;
 use super::flags::{self, bit};
@@ -114,34 +115,17 @@ impl<'m> Printer<'_, 'm> {
         quote!(self.#name = #marked::of(#value);)
     }
 
-    /// The type with which an output or a variable is declared.
-    fn declared(&self, place: PlaceId) -> Option<&'m Ty> {
-        match self.info(place).role {
-            Role::Output(id) => Some(&self.cx.model.outputs[id].ty),
-            Role::Var(id) => Some(&self.cx.model.vars[id].ty),
-            _ => None,
-        }
-    }
-
     /// What the address of a field is a multiple of, if that is known.
     fn align(&self, place: PlaceId) -> Option<u8> {
-        // A search that did not become stable is marked by a bit above the state.
-        let is_marked = self.layout.slot(place).kind == Kind::Marked;
-        let of_count = |count: usize| if count <= if is_marked { 0x80 } else { 0x100 } { 1 } else { 2 };
-        match (self.info(place).ty, self.declared(place)) {
-            (Type::User(ty), _) | (_, Some(ty)) => types::align(ty),
-            (Type::Bool, _) => Some(1),
-            (Type::Ticks, _) => Some(4),
-            (ty @ Type::State(_), _) => Some(of_count(self.layout.states(self.program, ty).len())),
-            (Type::Number, _) => Some(self.layout.number_size()),
-            (Type::Kind { count, .. }, _) => usize::try_from(count).ok().map(of_count),
-        }
+        let field = (self.info(place), self.layout.slot(place).kind);
+        let sizes = (&self.layout.regions[..], self.layout.number_size());
+        Bytes::of_field(self.cx, self.program, field, sizes).map(|bytes| bytes.align)
     }
 
     /// The type of a place.
     pub(super) fn ty(&self, place: PlaceId) -> TokenStream {
         let p = &self.cx.p;
-        match (self.info(place).ty, self.declared(place)) {
+        match (self.info(place).ty, bytes::declared(self.cx, self.info(place))) {
             (Type::User(ty), _) | (_, Some(ty)) => types::rust_type(ty, p),
             (Type::Bool, _) => quote!(#p::bool),
             (Type::Ticks, _) => quote!(#p::Ticks),
