@@ -2,13 +2,13 @@
 //!
 //! Of what clears again and again in one search, nothing but such steps writes the count. So it grows, and each turn needs it to be small.
 
-use super::successors::Successors;
+use super::successors::{LARGE, Successors};
 use super::{Candidates, circles, entered_again};
 use crate::analysis::Concurrency;
 use crate::list::List;
 use crate::model::{
-    Binary, Computed, Effect, How, Integer, Model, Name, Place, Qualifier, Read, Statement, TransitionId, Tree, Ty,
-    Unary,
+    Binary, Computed, Effect, How, Id, Integer, Model, Name, Place, Qualifier, Read, Statement, StepId, TransitionId,
+    Tree, Ty, Unary,
 };
 use crate::sorted::Set;
 
@@ -30,6 +30,9 @@ pub(super) fn turns(
     allowed: &Candidates,
     circle: &Candidates,
 ) -> Option<u64> {
+    if circle.len() > LARGE {
+        return None;
+    }
     // Who forces a chart can put two of its steps beside each other.
     if model.forceable || !is_one_path(model, concurrency, circle) {
         return None;
@@ -68,46 +71,37 @@ fn is_entry(model: &Model, successors: &Successors<'_>, id: TransitionId, circle
     circle.iter().any(|one| model.transitions[*one].sources.iter().any(|step| steps.contains(step)))
 }
 
-/// Without the transitions that take away, for good, one of the tokens that others only pass on.
+/// Without the transitions that clear a bounded number of times: they are in no circle, and all that leads to them passes tokens on, one for one, of which they take one away for
+/// good.
 fn lasting(model: &Model, successors: &mut Successors<'_>, mut allowed: Candidates) -> Candidates {
     loop {
-        let turning: Candidates = circles(successors, &allowed).into_iter().flatten().collect();
-        let leaving: Vec<TransitionId> = allowed.difference(&turning).copied().list();
-        let spent: Candidates = leaving.into_iter().filter(|id| is_spent(model, successors, &allowed, *id)).collect();
-        if spent.is_empty() {
+        let mut multiplied: Vec<TransitionId> =
+            allowed.iter().copied().filter(|id| !passes_on(model, successors, &allowed, *id)).list();
+        let mut stays: Candidates = circles(successors, &allowed).into_iter().flatten().collect();
+        stays = stays.into_iter().chain(multiplied.iter().copied()).collect();
+        while let Some(id) = multiplied.pop() {
+            for next in successors.after(id) {
+                if allowed.contains(&next) && stays.insert(next) {
+                    multiplied.push(next);
+                }
+            }
+        }
+        if stays.len() == allowed.len() {
             return allowed;
         }
-        allowed = entered_again(successors, allowed.difference(&spent).copied().collect());
+        allowed = entered_again(successors, stays);
     }
 }
 
-/// Whether a transition that is in no circle clears a bounded number of times: what leads to it passes tokens on, one for one.
-fn is_spent(model: &Model, successors: &mut Successors<'_>, allowed: &Candidates, id: TransitionId) -> bool {
-    let mut before = Candidates::from([id]);
-    loop {
-        let more: Candidates = allowed
-            .difference(&before)
-            .copied()
-            .filter(|one| successors.after(*one).iter().any(|next| before.contains(next)))
-            .collect();
-        if more.is_empty() {
-            break;
-        }
-        before = before.into_iter().chain(more).collect();
-    }
-    let sources = |id: &TransitionId| &model.transitions[*id].sources[..];
-    let passes_on = |one: &TransitionId| {
-        let steps = successors.activates(*one);
-        let goes_on = |step: &&_| before.iter().any(|next| sources(next).contains(step));
-        sources(one).len() == 1 && steps.iter().filter(goes_on).count() <= 1
-    };
-    if !before.iter().all(passes_on) {
+/// Whether a transition makes no second token of one, together with others of these that clear beside it.
+fn passes_on(model: &Model, successors: &mut Successors<'_>, allowed: &Candidates, id: TransitionId) -> bool {
+    let [source] = model.transitions[id].sources[..] else { return false };
+    let goes_on = |step: &&StepId| model.leaving[step.index()].iter().any(|next| allowed.contains(next));
+    if successors.activates(id).iter().filter(goes_on).count() > 1 {
         return false;
     }
-    let all = before.iter().copied().list();
-    (0..all.len()).all(|at| {
-        all[..at].iter().all(|other| sources(other) != sources(&all[at]) || successors.exclude(*other, all[at]))
-    })
+    let beside = model.leaving[source.index()].iter().filter(|other| **other != id && allowed.contains(other)).list();
+    beside.into_iter().all(|other| successors.exclude(id, *other))
 }
 
 impl Count {

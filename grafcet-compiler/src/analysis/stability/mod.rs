@@ -17,8 +17,8 @@ use crate::list::List;
 use crate::model::{Id, Model, Name, Qualifier, Read, StepId, TransitionId};
 use crate::sorted::Set;
 
-/// So many choices between transitions that exclude each other are gone through before nothing is claimed.
-const CHOICES: usize = 64;
+/// So many circles are looked at, each with one choice between transitions that exclude each other, before nothing is claimed.
+const CIRCLES: usize = 128;
 
 /// Transitions that all may clear again and again in one search.
 type Candidates = Set<TransitionId>;
@@ -72,7 +72,7 @@ impl Stability {
             Some(0)
         } else {
             let again = all.iter().copied().filter(|id| !once::clears_once(model, concurrency, *id)).collect();
-            Turning { model, concurrency, successors: &mut successors, choices: 0 }.end(again, &all)
+            Turning { model, concurrency, successors: &mut successors, looked_at: 0 }.end(again, &all)
         };
         let ends = if has_events { Ends::default() } else { search_ends(model, &mut successors) };
         Self { counted, at_once, ends }
@@ -164,7 +164,7 @@ struct Turning<'s, 'm> {
     model: &'m Model,
     concurrency: &'s Concurrency,
     successors: &'s mut Successors<'m>,
-    choices: usize,
+    looked_at: usize,
 }
 
 impl Turning<'_, '_> {
@@ -181,14 +181,14 @@ impl Turning<'_, '_> {
     }
 
     fn end_of(&mut self, allowed: &Candidates, circle: &Candidates) -> Option<u64> {
+        self.looked_at += 1;
+        if self.looked_at > CIRCLES {
+            return None;
+        }
         // Of a transition and those that exclude it, only the one or the others clear.
         let Some((one, others)) = self.successors.choice(circle) else {
             return counts::turns(self.model, self.concurrency, self.successors, allowed, circle);
         };
-        self.choices += 1;
-        if self.choices > CHOICES {
-            return None;
-        }
         let mut without = |gone: &Candidates| {
             let rest = |all: &Candidates| all.difference(gone).copied().collect::<Candidates>();
             self.end(rest(allowed), &rest(circle))

@@ -9,8 +9,8 @@ use crate::list::List;
 use crate::model::{Binary, Blink, Blinker, ForceOrder, Id, Model, Read, StepId, TimeRef, TransitionId, Tree, Unary};
 use crate::sorted::{Map, Set};
 
-/// In larger circles no choice is looked for: it would take a comparison of all pairs.
-const LARGE: usize = 80;
+/// In larger circles no choice is looked for, nor a count: it would take a comparison of all pairs.
+pub(super) const LARGE: usize = 80;
 
 pub(super) struct Successors<'m> {
     model: &'m Model,
@@ -26,6 +26,8 @@ pub(super) struct Successors<'m> {
     conditions: Vec<Condition>,
     /// Whether two conditions can hold together, as far as that was asked.
     together: BTreeMap<(usize, usize), bool>,
+    /// Whether two transitions exclude each other, as far as that was asked.
+    excluding: BTreeMap<(TransitionId, TransitionId), bool>,
 }
 
 impl<'m> Successors<'m> {
@@ -57,7 +59,8 @@ impl<'m> Successors<'m> {
             let entered = just_entered(model, tree, &transition.sources);
             entered_of.push(number(constant_part(&entered, true)));
         }
-        Self { model, logic, activates, entering, condition_of, entered_of, conditions, together: BTreeMap::new() }
+        let (together, excluding) = (BTreeMap::new(), BTreeMap::new());
+        Self { model, logic, activates, entering, condition_of, entered_of, conditions, together, excluding }
     }
 
     pub(super) fn transitions(&self) -> usize {
@@ -70,9 +73,11 @@ impl<'m> Successors<'m> {
     }
 
     /// Whether two transitions never clear together, whatever changes within a search.
-    pub(super) fn exclude(&self, a: TransitionId, b: TransitionId) -> bool {
-        let condition = |id: TransitionId| self.logic.condition(&self.model.transitions[id].condition.tree);
-        self.model.exclude_each_other(a, b) || self.logic.exclusive(&condition(a), &condition(b))
+    pub(super) fn exclude(&mut self, a: TransitionId, b: TransitionId) -> bool {
+        let (model, logic) = (self.model, &self.logic);
+        let condition = |id: TransitionId| logic.condition(&model.transitions[id].condition.tree);
+        let asked = || model.exclude_each_other(a, b) || logic.exclusive(&condition(a), &condition(b));
+        *self.excluding.entry((a.min(b), a.max(b))).or_insert_with(asked)
     }
 
     /// The transitions that one may enable.
