@@ -122,7 +122,9 @@ impl Count {
                 Qualifier::P1 => {
                     let by = if association.condition.is_none() { grown(&association.effect, place) } else { None };
                     for id in allowed.iter().filter(|id| successors.activates(**id).contains(&step)) {
-                        grows.push((*id, by?));
+                        // What is forced may be active already, and is not activated then.
+                        let is_target = model.transitions[*id].targets.contains(&step);
+                        grows.push((*id, by.filter(|_| is_target)?));
                     }
                 }
                 Qualifier::P0 => {
