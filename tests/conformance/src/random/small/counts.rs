@@ -33,10 +33,12 @@ fn wire(sketch: &mut Sketch, looped: &[String], rest: &[String]) {
     let inner = looped.len();
     let back = sketch.rng.below(inner);
     let limit = sketch.word(&["n < 2", "n < 3", "n <= 2", "m < 2", "!(n >= 3)", "2 > n", "n != 3", "n < 3 || m < 2"]);
+    let mut asked = Vec::new();
     for at in 0..inner {
         let plain = sketch.word(&["a", "true", "b", "!c", "a || c"]);
         let condition = if at == back { format!("{plain} && ({limit})") } else { plain.to_owned() };
         sketch.arrow(&looped[at], &condition, &looped[(at + 1) % inner]);
+        asked.push(condition);
     }
     for (at, name) in rest.iter().enumerate() {
         let plain = sketch.word(&["a", "rising(b)", "!a", "c && !a", "2ms/R0", "a && !b", "b"]);
@@ -49,19 +51,26 @@ fn wire(sketch: &mut Sketch, looped: &[String], rest: &[String]) {
             None => sketch.arrow(name, plain, &rest[0]),
         }
     }
+    let mut leave = |sketch: &mut Sketch, from: usize, condition: &str, to: &str| {
+        // Two that clear together are two tokens, which most charts of this kind cannot do with.
+        let condition =
+            if sketch.rng.chance(95) { format!("{condition} && !({})", asked[from]) } else { condition.to_owned() };
+        sketch.arrow(&looped[from], &condition, to);
+        asked[from] = format!("{} || {condition}", asked[from]);
+    };
     let out = sketch.word(&["n >= 3", "n >= 2 && a", "!b", "!a && c", "n == 3"]);
     let from = if sketch.rng.chance(70) { back } else { sketch.rng.below(inner) };
-    sketch.arrow(&looped[from], out, &rest[1]);
+    leave(sketch, from, out, &rest[1]);
     // A shorter or a longer way round, with the count or past it.
     if inner > 2 && sketch.rng.chance(40) {
         let (from, to) = (sketch.rng.below(inner), sketch.rng.below(inner));
         let condition = sketch.word(&["a && c", "n < 2", "!b", "b && n < 4", "m < 3"]);
-        sketch.arrow(&looped[from], condition, &looped[to]);
+        leave(sketch, from, condition, &looped[to]);
     }
     if sketch.rng.chance(40) {
         let more = sketch.word(&["b && !a", "m >= 2 && !(n < 3)", "rising(a)"]);
         let from = sketch.rng.below(inner);
-        sketch.arrow(&looped[from], more, &rest[2]);
+        leave(sketch, from, more, &rest[2]);
     }
 }
 
@@ -81,6 +90,13 @@ fn grow(sketch: &mut Sketch) -> String {
 
 fn other(sketch: &mut Sketch) -> String {
     sketch
-        .word(&["P1 n = 0;", "P0 n = 0;", "P1 n = n + 1;", "on rising(c) n = 0;", "on rising(L0.X) n = 0;"])
+        .word(&[
+            "P1 n = 0;",
+            "P0 n = 0;",
+            "P1 n = n + 1;",
+            "P1 n = 0;",
+            "on rising(c) n = 0;",
+            "on rising(L0.X) n = 0;",
+        ])
         .to_owned()
 }

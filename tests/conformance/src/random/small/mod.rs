@@ -30,7 +30,7 @@ enum Pace {
 }
 
 /// A new kind is a row.
-pub(super) const KINDS: [Kind; 15] = [
+pub(super) const KINDS: [Kind; 14] = [
     Kind { name: "small: a time compared", draw: clocks::compared, pace: Pace::Short },
     Kind { name: "small: a self-loop beside branches", draw: clocks::beside, pace: Pace::Short },
     Kind { name: "small: long times in two branches", draw: clocks::long, pace: Pace::Long },
@@ -45,7 +45,6 @@ pub(super) const KINDS: [Kind; 15] = [
     Kind { name: "small: edges in actions", draw: actions::edges, pace: Pace::Short },
     Kind { name: "small: calls that steps share", draw: actions::calls, pace: Pace::Short },
     Kind { name: "small: values assigned", draw: values::assigned, pace: Pace::Short },
-    Kind { name: "small: loops that count", draw: counts::loops, pace: Pace::Short },
 ];
 
 const RULES: &str = "several_initial_steps unreachable_step dead_transition stuck_join deadlock never_true always_true \

@@ -1,9 +1,12 @@
 //! Charts about values that are assigned in every cycle: which of them let the sleeper sleep.
 
-use super::Sketch;
+use super::{Sketch, counts};
 
-/// Variables that follow inputs, steps, times and each other, and what asks for them.
+/// Variables that follow inputs, steps, times and each other, and what asks for them; some of a `grafcet` count how often loops turn.
 pub(super) fn assigned(sketch: &mut Sketch) {
+    if sketch.grafcet && sketch.rng.chance(40) {
+        return counts::loops(sketch);
+    }
     sketch.declare("var flash, late: bool = false;\nvar n, m: u8 = 0;\nvar w: time = 2ms;\noutput v: u8;");
     for (index, name) in ["A", "B", "C"].into_iter().enumerate() {
         let mut lines = vec![format!("N q{index} if {};", asked(sketch, name))];
