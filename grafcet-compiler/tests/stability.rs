@@ -178,14 +178,14 @@ fn a_count_ends_a_circle_that_nothing_else_disturbs() {
     assert!(ends(&left("S3")));
     assert!(!ends(&left("S3").replace("P0 n = 0", "N n = 0")));
     // What is forced is not activated where it is active already.
-    let forced = |count: &str, forced: &str| {
+    let ordered = |count: &str, inside: &str| {
         format!(
             "var n: u8 = 0; partial Own {{ initial step S1; step S2 {{ {count} force Other {{T1}}; }} step S3; S1 -[a]-> S2 -[b]-> S3 -[c && n < 3]-> S2; }} \
-             partial Other {{ initial step T1 {{ {forced} }} }}"
+             partial Other {{ initial step T1 {{ {inside} }} }}"
         )
     };
-    assert!(ends(&forced("P1 n = n + 1;", "")));
-    assert!(!ends(&forced("", "P1 n = n + 1;")));
+    assert!(ends(&ordered("P1 n = n + 1;", "")));
+    assert!(!ends(&ordered("", "P1 n = n + 1;")));
     // Another partial grafcet that resets it in a circle of its own.
     let beside = |condition: &str| {
         let other =
