@@ -146,7 +146,8 @@ impl Count {
         let Ty::Int { rust, .. } = model.place_ty(place) else { return None };
         let ty = Integer::of(rust)?;
         // It does not come to the end of its type, where it would begin anew.
-        let (total, greatest) = (grows.iter().map(|(_, by)| by).sum::<i128>(), (1_i128 << ty.bits.min(32)) - 1);
+        let bits = if ty.is_size { 16 } else { ty.bits.min(32) };
+        let (total, greatest) = (grows.iter().map(|(_, by)| by).sum::<i128>(), (1_i128 << bits) - 1);
         let is_known = !ty.signed && most >= 0 && most.checked_add(total)? <= greatest;
         let is_within = grows.iter().all(|(id, _)| circle.contains(id));
         let limited = limits.into_iter().map(|(id, _)| id).collect();

@@ -102,8 +102,7 @@ impl Stability {
     }
 
     /// Where every search ends, how many evolutions of it counts may take to end circles.
-    #[must_use]
-    pub fn counted(&self) -> Option<u64> {
+    pub(super) fn counted(&self) -> Option<u64> {
         self.counted
     }
 

@@ -53,7 +53,7 @@ pub(super) fn declared<'m>(cx: &Cx<'m>, info: &PlaceInfo<'_>) -> Option<&'m Ty> 
     }
 }
 
-/// Whether the struct of these fields, and of the recipe, ends with a byte that none of them needs, on every machine.
+/// Whether the struct of these fields, and of the recipe, ends with a byte that none of them needs, where words are aligned.
 pub(super) fn is_one_left(
     cx: &Cx<'_>,
     program: &Program<'_>,
@@ -77,10 +77,10 @@ pub(super) fn is_one_left(
     sum(&fields).is_some_and(|all| size < all.size)
 }
 
-/// What a struct of them takes. Nobody knows the size of a `usize`.
+/// What a struct of them takes. The size of a `usize` differs from machine to machine, and so does the alignment of 128 bits.
 fn sum(fields: &[Bytes]) -> Option<Bytes> {
     let align = fields.iter().map(|field| field.align).max()?;
-    let is_known = fields.iter().all(|field| field.align.is_power_of_two());
+    let is_known = fields.iter().all(|field| matches!(field.align, 1 | 2 | 4 | 8));
     let size: usize = fields.iter().map(|field| field.size).sum();
     is_known.then(|| Bytes { size: size.next_multiple_of(align.into()), align })
 }

@@ -92,6 +92,7 @@ impl<'w, 'm> JointWalk<'w, 'm> {
             }
             if let Some(back) = self.taken_back(&statements[at..]) {
                 self.store(&mut open, &now, &mut new);
+                self.writes += 1;
                 now = back.now;
                 new.push(back.statement);
                 at += back.statements;
