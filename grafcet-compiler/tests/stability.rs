@@ -119,6 +119,11 @@ fn a_circle_that_counts_its_turns_ends() {
     assert!(!ends(&counted("P1 n = n.wrapping_add(254);")));
     assert!(ends(&with("u16", "P1 n = n.wrapping_add(254);", "n < 3")));
     assert!(!ends(&with("i8", "P1 n = n + 1;", "n < 3")));
+    // On a controller of 16 bits a `usize` has no more, and the second turn would begin it anew.
+    for (ty, by) in [("usize", 32_767), ("u32", 65_535), ("u64", 65_535), ("u128", 65_535)] {
+        assert!(ends(&with(ty, &format!("P1 n = n + {by};"), "n < 32_769")), "{ty}");
+    }
+    assert!(!ends(&with("usize", "P1 n = n + 32_768;", "n < 32_769")));
     // What a transition does when it clears counts as well.
     assert!(ends(&counted("").replace("[n < 3]-> S2", "[n < 3 => n = n + 1]-> S2")));
 }
