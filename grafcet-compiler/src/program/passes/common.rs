@@ -13,7 +13,7 @@
 //!     else if empty: state = Idle
 //! ```
 //!
-//! Needs: they do the same then. It is the last pass, as others look for the match.
+//! Needs: they do the same then. Other passes look for the match, so it comes after them.
 
 use super::super::build::all;
 use super::super::costs::questions;
