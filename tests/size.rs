@@ -354,3 +354,20 @@ fn encoding_is_documented() {
     ];
     assert_eq!(said, expected, "Motor, Line24V, Parallel, ParallelFlags");
 }
+
+chart! { sfc Cleared {
+    output q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14: bool; output code: u8 = 0; output parts: u16 = 0;
+    step Second { q1; code = 3; P1 parts = parts.wrapping_add(1); }
+} }
+chart! { sfc NotCleared { output q1, q2, q3, q4, q5, q6, q7, q8: bool; output code: u8 = 0; output parts: u16 = 0; step Second { q1; code = 3; } } }
+
+/// Many outputs are cleared piece by piece: what stands between the pieces is chosen by where it lies, so the struct keeps the order.
+#[test]
+fn outputs_lie_as_they_are_cleared() {
+    assert_eq!(size_of::<ClearedOutputs>(), 20, "17 bytes, in words");
+    assert_eq!(std::mem::offset_of!(ClearedOutputs, parts), 0);
+    assert_eq!(std::mem::offset_of!(ClearedOutputs, q1), 2);
+    assert_eq!(std::mem::offset_of!(ClearedOutputs, q14), 15);
+    assert_eq!(std::mem::offset_of!(ClearedOutputs, code), 16);
+    assert_eq!(size_of::<NotClearedOutputs>(), 12);
+}

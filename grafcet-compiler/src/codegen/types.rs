@@ -92,10 +92,15 @@ fn default_of(cx: &Cx<'_>, name: &Ident, initial: &TokenStream) -> TokenStream {
 
 fn outputs(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, .. } = cx;
-    let order = match cleared::in_pieces(model) {
-        Some(fields) => fields.into_iter().map(|(id, _)| id).list(),
-        None => model.outputs.ids().list(),
+    let pieces = cleared::in_pieces(model).map(|fields| fields.into_iter().map(|(id, _)| id).list());
+    // Processors without unaligned stores clear many single bytes through a call, words at once.
+    let repr = match (pieces.is_some(), model.outputs.len() > 4) {
+        (true, true) => Some(quote!(#[repr(C, align(4))])),
+        (true, false) => Some(quote!(#[repr(C)])),
+        (false, true) => Some(quote!(#[repr(align(4))])),
+        (false, false) => None,
     };
+    let order = pieces.unwrap_or_else(|| model.outputs.ids().list());
     let fields = order.into_iter().map(|id| {
         let output = &model.outputs[id];
         let (name, ty) = (&output.name, rust_type(&output.ty, p));
@@ -109,14 +114,12 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     let written_out = derives.written_out(name, p);
     let derives = if default.is_some() { derives } else { derives.and("Default") }.attributes(model, p);
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
-    // Processors without unaligned stores clear many single bytes through a call, words at once.
-    let align = (model.outputs.len() > 4).then(|| quote!(#[repr(align(4))]));
     let item = place::item("struct", name, &model.name, &fields);
     quote! {
         #[doc = #doc]
         #derives
         #levels
-        #align
+        #repr
         #vis #item
 
         #written_out

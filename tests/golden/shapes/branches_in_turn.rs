@@ -64,7 +64,7 @@ impl BranchesInTurn {
             _ => {
                 let last_batches_: core::primitive::u8 = self
                     .batches;
-                let mut any_120__: bool = false;
+                let mut any_119__: bool = false;
                 match self.region_0 {
                     __BranchesInTurnRegion0::Idle => {
                         if inputs_.start {
@@ -74,13 +74,13 @@ impl BranchesInTurn {
                             outputs_.valve = true;
                             outputs_.heater = true;
                             self.passed_warm = false;
-                            any_120__ = true;
+                            any_119__ = true;
                         }
                     }
                     __BranchesInTurnRegion0::Mix => {
                         if inputs_.stop {
                             self.region_0 = __BranchesInTurnRegion0::Idle;
-                            any_120__ = true;
+                            any_119__ = true;
                         } else {
                             if inputs_.start {
                                 self.region_0 = __BranchesInTurnRegion0::Rest;
@@ -88,15 +88,14 @@ impl BranchesInTurn {
                                 self.since_idle = self.reading;
                                 self.since_warm = self.reading;
                                 outputs_.pump = true;
-                                self.passed_idle = false;
-                                any_120__ = true;
+                                any_119__ = true;
                             }
                         }
                     }
                     __BranchesInTurnRegion0::Rinse => {
                         if inputs_.stop {
                             self.region_0 = __BranchesInTurnRegion0::Idle;
-                            any_120__ = true;
+                            any_119__ = true;
                         } else {
                             if inputs_.full {
                                 self.region_0 = __BranchesInTurnRegion0::Dry;
@@ -104,8 +103,7 @@ impl BranchesInTurn {
                                 self.since_warm = self.reading;
                                 self.s_ff_lamp = true;
                                 outputs_.heater = true;
-                                self.passed_warm = false;
-                                any_120__ = true;
+                                any_119__ = true;
                             } else {
                                 outputs_.valve = true;
                             }
@@ -115,14 +113,14 @@ impl BranchesInTurn {
                         if inputs_.stop {
                             self.region_0 = __BranchesInTurnRegion0::Idle;
                             self.s_ff_lamp = false;
-                            any_120__ = true;
+                            any_119__ = true;
                         } else {
                             if inputs_.start {
                                 self.region_0 = __BranchesInTurnRegion0::Shake;
                                 self.region_1 = __BranchesInTurnRegion1::Blow;
                                 self.since_warm = self.reading;
                                 outputs_.pump = true;
-                                any_120__ = true;
+                                any_119__ = true;
                             } else {
                                 outputs_.lamp = true;
                             }
@@ -132,24 +130,23 @@ impl BranchesInTurn {
                         if inputs_.stop {
                             self.region_0 = __BranchesInTurnRegion0::Idle;
                             self.s_ff_lamp = false;
-                            any_120__ = true;
+                            any_119__ = true;
                         } else {
                             if !inputs_.start {
                                 self.region_0 = __BranchesInTurnRegion0::Idle;
                                 self.s_ff_lamp = false;
-                                any_120__ = true;
+                                any_119__ = true;
                             }
                         }
                     }
                     _ => {
-                        let mut any_118__: bool = false;
-                        any_118__ = any_118__ || inputs_.stop;
-                        let was_state_idle_: __BranchesInTurnRegion0 = self.region_0;
+                        let mut any_117__: bool = false;
+                        any_117__ = any_117__ || inputs_.stop;
                         let was_state_warm_: __BranchesInTurnRegion1 = self.region_1;
                         let mut left_drain_: bool = false;
                         let mut entered_mix_: bool = false;
-                        let mut any_119__: bool = false;
-                        any_120__ = false;
+                        let mut any_118__: bool = false;
+                        any_119__ = false;
                         if inputs_.stop
                             && core::matches!(
                                 self.region_0, __BranchesInTurnRegion0::Fill |
@@ -162,22 +159,22 @@ impl BranchesInTurn {
                                 __BranchesInTurnRegion0::Shaken
                             )
                         {
-                            any_120__ = true;
+                            any_119__ = true;
                             self.region_0 = __BranchesInTurnRegion0::NONE;
                         } else {
                             match self.region_0 {
                                 __BranchesInTurnRegion0::Fill => {
                                     if inputs_.full {
-                                        any_118__ = true;
-                                        any_120__ = true;
+                                        any_117__ = true;
+                                        any_119__ = true;
                                         self.region_0 = __BranchesInTurnRegion0::Filled;
                                     }
                                 }
                                 __BranchesInTurnRegion0::Filled => {
                                     if self.region_1 == __BranchesInTurnRegion1::Warmed {
                                         entered_mix_ = true;
-                                        any_118__ = true;
-                                        any_120__ = true;
+                                        any_117__ = true;
+                                        any_119__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::NONE;
                                         self.region_0 = __BranchesInTurnRegion0::Mix;
                                     }
@@ -187,8 +184,8 @@ impl BranchesInTurn {
                                         self.reading.since(self.since_idle),
                                         Ticks::new(9u32)
                                     ) {
-                                        any_118__ = true;
-                                        any_120__ = true;
+                                        any_117__ = true;
+                                        any_119__ = true;
                                         self.region_0 = __BranchesInTurnRegion0::Rested;
                                     }
                                 }
@@ -196,31 +193,31 @@ impl BranchesInTurn {
                                     if self.region_1 == __BranchesInTurnRegion1::Drained
                                         && inputs_.start
                                     {
-                                        any_118__ = true;
-                                        any_120__ = true;
+                                        any_117__ = true;
+                                        any_119__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::NONE;
                                         self.region_0 = __BranchesInTurnRegion0::Rinse;
                                     }
                                 }
                                 __BranchesInTurnRegion0::Dry => {
                                     if inputs_.warm {
-                                        any_118__ = true;
-                                        any_120__ = true;
+                                        any_117__ = true;
+                                        any_119__ = true;
                                         self.region_0 = __BranchesInTurnRegion0::Dried;
                                     }
                                 }
                                 __BranchesInTurnRegion0::Dried => {
                                     if self.region_1 == __BranchesInTurnRegion1::Cooled {
-                                        any_118__ = true;
-                                        any_120__ = true;
+                                        any_117__ = true;
+                                        any_119__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::NONE;
                                         self.region_0 = __BranchesInTurnRegion0::Open;
                                     }
                                 }
                                 __BranchesInTurnRegion0::Shake => {
                                     if inputs_.full {
-                                        any_118__ = true;
-                                        any_120__ = true;
+                                        any_117__ = true;
+                                        any_119__ = true;
                                         self.region_0 = __BranchesInTurnRegion0::Shaken;
                                     }
                                 }
@@ -228,8 +225,8 @@ impl BranchesInTurn {
                                     if self.region_1 == __BranchesInTurnRegion1::Blown
                                         && inputs_.start
                                     {
-                                        any_118__ = true;
-                                        any_120__ = true;
+                                        any_117__ = true;
+                                        any_119__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::NONE;
                                         self.region_0 = __BranchesInTurnRegion0::Close;
                                     }
@@ -243,7 +240,7 @@ impl BranchesInTurn {
                         match was_state_warm_ {
                             __BranchesInTurnRegion1::Warm => {
                                 if inputs_.stop {
-                                    any_120__ = true;
+                                    any_119__ = true;
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
                                 } else {
                                     if inputs_.warm
@@ -252,8 +249,8 @@ impl BranchesInTurn {
                                             Ticks::new(5u32)
                                         )
                                     {
+                                        any_118__ = true;
                                         any_119__ = true;
-                                        any_120__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::Warmed;
                                     }
                                 }
@@ -263,57 +260,57 @@ impl BranchesInTurn {
                             | __BranchesInTurnRegion1::Cooled
                             | __BranchesInTurnRegion1::Blown => {
                                 if inputs_.stop {
-                                    any_120__ = true;
+                                    any_119__ = true;
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
                                 }
                             }
                             __BranchesInTurnRegion1::Drain => {
                                 if inputs_.stop {
                                     left_drain_ = true;
-                                    any_120__ = true;
+                                    any_119__ = true;
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
                                 } else {
                                     if inputs_.empty {
                                         left_drain_ = true;
+                                        any_118__ = true;
                                         any_119__ = true;
-                                        any_120__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::Drained;
                                     }
                                 }
                             }
                             __BranchesInTurnRegion1::Cool => {
                                 if inputs_.stop {
-                                    any_120__ = true;
+                                    any_119__ = true;
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
                                 } else {
                                     if has_reached!(
                                         self.reading.since(self.since_warm),
                                         Ticks::new(7u32)
                                     ) {
+                                        any_118__ = true;
                                         any_119__ = true;
-                                        any_120__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::Cooled;
                                     }
                                 }
                             }
                             __BranchesInTurnRegion1::Blow => {
                                 if inputs_.stop {
-                                    any_120__ = true;
+                                    any_119__ = true;
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
                                 } else {
                                     if inputs_.empty {
+                                        any_118__ = true;
                                         any_119__ = true;
-                                        any_120__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::Blown;
                                     }
                                 }
                             }
                             _ => {}
                         }
-                        if any_118__ {
+                        if any_117__ {
                             self.since_idle = self.reading;
                         }
-                        if any_119__ {
+                        if any_118__ {
                             self.since_warm = self.reading;
                         }
                         if left_drain_ {
@@ -335,22 +332,6 @@ impl BranchesInTurn {
                             __BranchesInTurnRegion0::Fill
                             | __BranchesInTurnRegion0::Rinse => {
                                 outputs_.valve = true;
-                            }
-                            __BranchesInTurnRegion0::Rest => {
-                                self.passed_idle = was_state_idle_
-                                    == __BranchesInTurnRegion0::Rest
-                                    && self.reading.since(self.since_idle)
-                                        >= Ticks::new(9u32);
-                                if was_state_idle_ == __BranchesInTurnRegion0::Rest
-                                    && has_reached!(
-                                        self.reading.since(self.since_idle),
-                                        Ticks::new(9u32)
-                                    )
-                                {
-                                    self.since_idle = self
-                                        .reading
-                                        .since(Ticks::new(9u32));
-                                }
                             }
                             __BranchesInTurnRegion0::Dry => {
                                 outputs_.heater = true;
@@ -385,28 +366,12 @@ impl BranchesInTurn {
                             | __BranchesInTurnRegion1::Blow => {
                                 outputs_.pump = true;
                             }
-                            __BranchesInTurnRegion1::Cool => {
-                                self.passed_warm = was_state_warm_
-                                    == __BranchesInTurnRegion1::Cool
-                                    && self.reading.since(self.since_warm)
-                                        >= Ticks::new(7u32);
-                                if was_state_warm_ == __BranchesInTurnRegion1::Cool
-                                    && has_reached!(
-                                        self.reading.since(self.since_warm),
-                                        Ticks::new(7u32)
-                                    )
-                                {
-                                    self.since_warm = self
-                                        .reading
-                                        .since(Ticks::new(7u32));
-                                }
-                            }
                             _ => {}
                         }
                     }
                 }
-                any_120__ = any_120__ || self.batches != last_batches_;
-                self.settled = !any_120__;
+                any_119__ = any_119__ || self.batches != last_batches_;
+                self.settled = !any_119__;
             }
         }
         if self.s_ff_lamp {
@@ -432,13 +397,13 @@ impl BranchesInTurn {
                 self.since_warm.after(Ticks::new(5u32)),
             );
         }
-        if self.region_0 == __BranchesInTurnRegion0::Rest && !self.passed_idle {
+        if self.region_0 == __BranchesInTurnRegion0::Rest {
             soonest_ = earlier(
                 soonest_,
                 self.since_idle.after(Ticks::new(9u32)),
             );
         }
-        if self.region_1 == __BranchesInTurnRegion1::Cool && !self.passed_warm {
+        if self.region_1 == __BranchesInTurnRegion1::Cool {
             soonest_ = earlier(
                 soonest_,
                 self.since_warm.after(Ticks::new(7u32)),

@@ -3,8 +3,9 @@
 use proc_macro2::TokenStream;
 
 use super::Printer;
-use crate::codegen::{cleared, types};
-use crate::model::{OutputId, Ty};
+use crate::codegen::cleared::{self, Begins};
+use crate::codegen::types;
+use crate::model::{OutputId, Tree, Ty};
 use crate::place::quote;
 use crate::program::{Initial, Role, Value};
 
@@ -12,8 +13,7 @@ impl Printer<'_, '_> {
     /// The outputs as each cycle begins with them.
     pub(super) fn first_outputs(&self) -> TokenStream {
         let (name, model, p) = (&self.cx.names.outputs, self.cx.model, &self.cx.p);
-        let mut between = cleared::between(model);
-        between.retain(|id| self.is_cleared(*id));
+        let between = cleared::between(model, &|id| self.begins(id));
         let (mut first, mut then) = (TokenStream::new(), TokenStream::new());
         let mut mutable = None;
         for (id, output) in model.outputs.iter() {
@@ -46,11 +46,22 @@ impl Printer<'_, '_> {
         }
     }
 
-    /// Whether each cycle begins with the output as zero, and writes it where it is returned.
-    fn is_cleared(&self, id: OutputId) -> bool {
-        let is_number = matches!(self.cx.model.outputs[id].ty, Ty::Bool(_) | Ty::Int { .. });
-        let place = self.program.place(Role::Output(id)).filter(|place| is_number && self.layout.is_result(*place));
-        let initial = place.map(|place| self.program.places[place.0].initial);
-        matches!(initial, Some(Initial::Default | Initial::Value(Value::Bool(false))))
+    /// What each cycle begins with in the place of an output; it can be written once more where it is returned.
+    fn begins(&self, id: OutputId) -> Begins {
+        let model = self.cx.model;
+        let place = self.program.place(Role::Output(id));
+        let is_zero = match place.map(|place| self.program.places[place.0].initial) {
+            Some(Initial::Default | Initial::Value(Value::Bool(false) | Value::Int(0))) => true,
+            Some(Initial::Constant(written)) => matches!(written.tree, Tree::Bool(false) | Tree::Int(0)),
+            Some(Initial::Value(_)) => false,
+            None => model.outputs[id].init.is_none(),
+        };
+        let is_number = matches!(model.outputs[id].ty, Ty::Bool(_) | Ty::Int { .. });
+        let is_result = place.is_some_and(|place| self.layout.is_result(place));
+        match is_zero {
+            true if is_number && is_result => Begins::Cleared,
+            true => Begins::Zero,
+            false => Begins::Other,
+        }
     }
 }

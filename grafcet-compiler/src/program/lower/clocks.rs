@@ -293,7 +293,7 @@ impl<'f> Leaving<'f> {
     /// of it.
     fn leaves(&self, of: Blinker, time: u32) -> bool {
         let (Blinker::Step(step), model) = (of, self.model) else { return false };
-        if !model.anys.is_empty() || self.is_kept(step) || self.is_held(step) {
+        if self.is_stopped(step) || self.is_kept(step) || self.is_held(step) {
             return false;
         }
         let mut ways = Vec::new();
@@ -306,6 +306,13 @@ impl<'f> Leaving<'f> {
         let ways: Vec<&Condition> = ways.iter().list();
         let over = self.logic.condition(&Tree::Elapsed(TimeRef::Ticks(time), step));
         self.logic.implies(&over, &ways)
+    }
+
+    /// Whether an `any` may stop what leaves it, and not leave it itself.
+    fn is_stopped(&self, step: StepId) -> bool {
+        let beside = |source: &StepId| self.facts.concurrency.together(*source, step);
+        let mut anys = self.model.anys.values().filter(|any| any.partial == self.model.steps[step].partial);
+        anys.any(|any| !any.sources.contains(&step) && any.sources.iter().any(beside))
     }
 
     /// Whether something above may keep it active: an order that puts it or what encloses it into a situation (A13).

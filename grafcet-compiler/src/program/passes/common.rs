@@ -13,6 +13,8 @@
 //!     else if empty: state = Idle
 //! ```
 //!
+//! Arms that do the same as a whole, as alarms that wait for the same button, are one arm, if that is much: of a state that stays LLVM knows in its own arm which one it is.
+//!
 //! Needs: they do the same then. Other passes look for the match, so it comes after them.
 
 use super::super::build::all;
@@ -31,7 +33,7 @@ const ARMS: usize = 4;
 /// So many questions and statements less are worth telling these states.
 const GAIN: usize = 12;
 
-/// In a search, where each evolution asks it.
+/// In front of a match in a search, where each evolution asks it.
 const GAIN_IN_SEARCH: usize = 24;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -44,10 +46,35 @@ fn block(statements: &mut [Statement<'_>], least: usize) {
         for inner in blocks_mut(statement) {
             block(inner, least);
         }
+        if let Statement::Match(_, arms, _) = statement {
+            merge(arms);
+        }
         if let Some(new) = in_front(statement, least) {
             *statement = new;
         }
     }
+}
+
+/// Arms that do the same, where that is worth not telling the states of those any more that stay.
+fn merge(arms: &mut Vec<Arm<'_>>) {
+    let mut sums = Vec::with_capacity(arms.len());
+    for (_, body) in arms.iter() {
+        sums.push(sum_of_block(body));
+    }
+    let same = groups(&sums, &|one, other| same_block(&arms[one].1, &arms[other].1));
+    let gain = |at: usize| (same.iter().filter(|group| **group == same[at]).count() - 1) * size(&arms[at].1);
+    let mut alike = Vec::new();
+    for at in (0..arms.len()).rev() {
+        if gain(at) > GAIN {
+            alike.push(arms[at].clone());
+        }
+    }
+    if alike.is_empty() {
+        return;
+    }
+    alike.reverse();
+    arms.retain(|(values, _)| !alike.iter().any(|(others, _)| values == others));
+    arms.extend(merged(alike));
 }
 
 fn in_front<'m>(statement: &mut Statement<'m>, least: usize) -> Option<Statement<'m>> {
