@@ -16,6 +16,44 @@ pub(crate) fn without_parens(expr: &Expr) -> &Expr {
     }
 }
 
+/// Whether Rust takes an expression for a whole statement where one begins with it.
+pub(crate) fn is_block(expr: &Expr) -> bool {
+    match expr {
+        Expr::Macro(call) => matches!(call.mac.delimiter, syn::MacroDelimiter::Brace(_)),
+        Expr::Block(_)
+        | Expr::Const(_)
+        | Expr::ForLoop(_)
+        | Expr::If(_)
+        | Expr::Loop(_)
+        | Expr::Match(_)
+        | Expr::TryBlock(_)
+        | Expr::Unsafe(_)
+        | Expr::While(_) => true,
+        _ => false,
+    }
+}
+
+/// Whether an expression goes on after such a block at its beginning: `{ … } && a`, `match x { … } > 3`.
+pub(crate) fn begins_with_block(expr: &Expr) -> bool {
+    let first = match expr {
+        Expr::Assign(assign) => &assign.left,
+        Expr::Await(awaited) => &awaited.base,
+        Expr::Binary(binary) => &binary.left,
+        Expr::Call(call) => &call.func,
+        Expr::Cast(cast) => &cast.expr,
+        Expr::Field(field) => &field.base,
+        Expr::Index(index) => &index.expr,
+        Expr::MethodCall(call) => &call.receiver,
+        Expr::Range(range) => match &range.start {
+            Some(start) => start,
+            None => return false,
+        },
+        Expr::Try(tried) => &tried.expr,
+        _ => return false,
+    };
+    is_block(first) || begins_with_block(first)
+}
+
 /// Who walks.
 pub(crate) trait Visit {
     /// Comes to an expression; [`inside`] goes on in it.

@@ -32,6 +32,16 @@ fn a_source_transition_may_keep_a_search_going() {
     };
     assert!(!is_certain(&chart("S6.X")));
     assert!(is_certain(&chart("c")));
+    // What is done on clearing is done again and again, wherever it stands.
+    let drained = |first: &str, then: &str| {
+        model(&format!("var n: u8 = 0; step S1; step S2; () -[a{first}]-> S1 -[a{then}]-> S2 -[!a]-> ();"))
+    };
+    let counts = " => n = n.wrapping_add(1)";
+    assert!(is_certain(&drained("", "")));
+    assert!(!is_certain(&drained(counts, "")));
+    assert!(!is_certain(&drained("", counts)));
+    // A convergence takes two at a time, so what is active can go on changing.
+    assert!(!is_certain(&model("initial step S1; step S2; step S3; () -[a]-> S2; (S1, S2) -[b]-> S3 -[a]-> S1;")));
 }
 
 /// A search ends where each circle needs what does not hold twice in a cycle, or not together.
@@ -189,8 +199,10 @@ fn a_count_ends_a_circle_that_nothing_else_disturbs() {
              partial Other {{ initial step T1 {{ {inside} }} }}"
         )
     };
-    assert!(ends(&ordered("P1 n = n + 1;", "")));
     assert!(!ends(&ordered("", "P1 n = n + 1;")));
+    // And what a circle forces would begin anew as often as it turns.
+    assert!(!ends(&ordered("P1 n = n + 1;", "")));
+    assert!(ends(&ordered("P1 n = n + 1;", "").replace("force Other {T1};", "")));
     // Another partial grafcet that resets it in a circle of its own.
     let beside = |condition: &str| {
         let other =
@@ -217,19 +229,64 @@ fn a_count_ends_a_circle_within_the_bound() {
         assert!(is_certain(&model), "{text}");
         Facts::of(&model).searches(&model).may_go_on
     };
-    // Two transitions: eleven steps give 24 evolutions, of which the chain may take 14.
-    assert!(!may_go_on(&chain(4)));
-    assert!(may_go_on(&chain(5)));
-    assert!(may_go_on(&format!("max_evolutions 30; {}", chain(2))));
+    // Two transitions: eleven steps give 24 evolutions, of which eleven transitions may take one each.
+    assert!(!may_go_on(&chain(5)));
+    assert!(may_go_on(&chain(6)));
+    assert!(!may_go_on(&format!("max_evolutions 17; {}", chain(2))));
+    assert!(may_go_on(&format!("max_evolutions 16; {}", chain(2))));
     // Who puts the chart into the loop once more lets it begin anew.
     let forced = |step: &str| {
         let above = format!(
             "partial Above {{ initial step T1; step T2 {{ force Own {{{step}}}; }} T1 -[c]-> T2 -[!c]-> T1; }}"
         );
-        format!("{above} partial Own {{ {} }}", chain(4))
+        let alone = chain(4).replace("S3 -[!b]", "S3 -[!b && n >= 4]");
+        format!("{above} partial Own {{ {alone} }}")
     };
     assert!(!may_go_on(&forced("S1")));
     assert!(may_go_on(&forced("S2")));
+}
+
+/// A proof counts where the search ends before its bound: partial grafcets that begin each other anew may take longer.
+#[test]
+fn a_search_that_ends_may_be_too_long() {
+    let may_go_on = |text: &str| {
+        let model = model(text);
+        assert!(is_certain(&model), "{text}");
+        Facts::of(&model).searches(&model).may_go_on
+    };
+    let chart = |times: usize, waits: &str| {
+        let (mut steps, mut ways) = ("initial step M0;".to_owned(), String::new());
+        for time in 0..times {
+            let (forces, waiting) = (2 * time + 1, 2 * time + 2);
+            let from = if time == 0 { "M0 -[a]-> ".to_owned() } else { format!("M{} -[{waits}]-> ", forces - 1) };
+            steps += &format!("step M{forces} {{ force Below {{T1}}; }} step M{waiting};");
+            ways += &format!("{from} M{forces} -[true]-> M{waiting};");
+        }
+        let below = "initial step T1; step T2; step T3; step T4; step T5; step T6; step T7; step T8; step T9;";
+        let chain = "T1 -[a || b]-> T2 -[true]-> T3 -[true]-> T4 -[true]-> T5 -[true]-> T6 -[true]-> T7 -[true]-> T8 -[true]-> T9 -[rising(b)]-> T1;";
+        format!("partial Above {{ {steps} {ways} }} partial Below {{ {below} {chain} }}")
+    };
+    // With n times above: 2n + 1 + 9 steps give 4n + 22 evolutions, of which each time takes ten.
+    assert!(!may_go_on(&chart(2, "T9.X")));
+    assert!(may_go_on(&chart(5, "T9.X")));
+    // Without the wait all goes on at once.
+    assert!(!may_go_on(&chart(5, "true")));
+
+    // Who resets a count lets its circle turn anew.
+    let reset = |times: usize, reset: &str| {
+        let turns = "initial step S1; step S2; step S3 { P1 n = n + 1; } S1 -[a]-> S2 -[b && n < 2]-> S3 -[true]-> S2;";
+        let (mut steps, mut ways) = ("initial step X0;".to_owned(), String::new());
+        for time in 1..=times {
+            steps += &format!("step X{time} {{ {reset} }}");
+            ways += &format!("X{} -[S2.X && n >= 2]-> X{time};", time - 1);
+        }
+        format!("var n: u8 = 0; var m: u8 = 0; partial Own {{ {turns} }} partial Other {{ {steps} {ways} }}")
+    };
+    assert!(!may_go_on(&reset(2, "P1 m = 0;")));
+    assert!(!may_go_on(&reset(5, "P1 m = 0;")));
+    assert!(may_go_on(&reset(5, "P1 n = 0;")));
+    assert!(may_go_on(&reset(5, "P0 n = 0;")));
+    assert!(may_go_on(&reset(5, "").replace("n >= 2]", "n >= 2 => n = 0]")));
 }
 
 /// A sequence has no second evolution after a step that nothing can leave in the cycle in which it is entered.
@@ -260,6 +317,10 @@ fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
     assert_eq!(ends(&ways("c")), [""; 0]);
     // Nothing leaves the last step; it can be left and entered at once, which changes nothing (A4g).
     assert_eq!(ends("initial step S1; step S2; S1 -[a]-> S2;"), ["S2"]);
+    let back = |done: &str| format!("var n: u8 = 0; initial step S1; step S2; S1 -[a]-> S2; S2 -[5s/S2{done}]-> S2;");
+    assert_eq!(ends(&back("")), ["S2"]);
+    // But what is done on clearing is done again.
+    assert_eq!(ends(&back(" => n = n.wrapping_add(1)")), [""; 0]);
     let always = |text: &str| stability(&model(text)).ends().always();
     assert!(always("initial step S1; step S2; S1 -[a && 2s/S1]-> S2 -[rising(b)]-> S1;"));
     assert!(!always("initial step S1; step S2; S1 -[a && 2s/S1]-> S2 -[b]-> S1;"));

@@ -65,3 +65,23 @@ grafcet! {
         never a && b; home I; home B;
     }
 }
+
+/// A macro of the program, called with braces.
+macro_rules! halved {
+    ($value:expr) => {
+        $value / 2
+    };
+}
+
+// Conditions that begin with a block, which Rust takes for a statement of its own elsewhere.
+grafcet! {
+    grafcet Blocks {
+        input a, b: bool; input level: u8; output high, low: bool;
+        initial step I;
+        step A { high if const { 1 } & level == 1; low if { b } & a; }
+        I -[loop { break a } & b]-> A;
+        A -[halved! { level } > 3 && a]-> I;
+        A -[(if a { level } else { 0 }) == 0 && !a]-> I;
+        A -[match level { 0 => 1, n => n } == 9 && a && halved! { level } <= 3]-> I;
+    }
+}

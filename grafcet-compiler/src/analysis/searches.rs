@@ -36,17 +36,12 @@ impl Searches {
     }
 }
 
+/// Whether the circles of a chart tell that each search ends, and before its bound: somebody who knows nothing of that would stop it there.
 pub(super) fn are_ended(model: &Model, stability: &Stability) -> bool {
-    let Some(counted) = stability.counted() else { return false };
-    // Where each transition clears at most once, the chart gives the search long enough.
-    let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
-    model.max_evolutions.is_none_or(is_long) && (counted == 0 || counted + others(model) <= u64::from(bound(model)))
-}
-
-/// How many evolutions a search takes beside counted circles: each partial grafcet goes through its steps, after what only the first
-/// evolution sees or only the step that is active at the beginning has waited for.
-fn others(model: &Model) -> u64 {
-    (model.steps.len() + model.partials.len() + 2) as u64
+    let bound = u64::from(bound(model));
+    // Where each transition clears at most once, no search has more evolutions than there are transitions.
+    let at_once = stability.is_at_once() && bound >= model.transitions.len() as u64;
+    stability.is_certain() && (at_once || stability.longest().is_some_and(|longest| longest <= bound))
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

@@ -3,12 +3,13 @@
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote_spanned};
 
-use super::rust::{plain_name, with_bindings, without_parens};
+use super::rust::{plain_name, with_bindings};
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{Binary, Expr, Name, Read, StepId, Tree, Ty, Unary, placeholder};
 use crate::place::{self, quote};
 use crate::program::RegionId;
+use crate::visit::without_parens;
 
 impl Cx<'_> {
     /// The value of an expression that reads inputs and the recipe alone.

@@ -6,6 +6,7 @@ use quote::ToTokens;
 use crate::list::List;
 use crate::model::{Expr, Read, placeholder};
 use crate::place::{self, quote};
+use crate::visit::begins_with_block;
 
 /// A constant expression: literals, times and Rust constants.
 pub(super) fn constant(expr: &Expr, p: &TokenStream) -> TokenStream {
@@ -52,14 +53,6 @@ pub(super) fn bare(term: TokenStream) -> TokenStream {
     }
 }
 
-/// `if (a)` would be an `unused_parens` at the user's tokens.
-pub(super) fn without_parens(expr: &syn::Expr) -> &syn::Expr {
-    match expr {
-        syn::Expr::Paren(paren) => without_parens(&paren.expr),
-        other => other,
-    }
-}
-
 /// Whether an expression means the same beside any operator that generated code puts there.
 pub(super) fn is_term(expr: &syn::Expr) -> bool {
     use syn::Expr::{Array, Block, Call, Field, Index, Lit, Macro, MethodCall, Path, Tuple, Unary};
@@ -78,18 +71,4 @@ pub(super) fn shows_struct(expr: &syn::Expr) -> bool {
         syn::Expr::MethodCall(call) => shows_struct(&call.receiver),
         _ => false,
     }
-}
-
-/// Whether an expression goes on after a block at its beginning: `{ … } && a`, `match x { … } > 3`.
-pub(super) fn begins_with_block(expr: &syn::Expr) -> bool {
-    let first = match expr {
-        syn::Expr::Binary(binary) => &binary.left,
-        syn::Expr::Call(call) => &call.func,
-        syn::Expr::Cast(cast) => &cast.expr,
-        syn::Expr::Index(index) => &index.expr,
-        syn::Expr::Field(field) => &field.base,
-        syn::Expr::MethodCall(call) => &call.receiver,
-        _ => return false,
-    };
-    matches!(**first, syn::Expr::Block(_) | syn::Expr::If(_) | syn::Expr::Match(_)) || begins_with_block(first)
 }

@@ -8,6 +8,7 @@ use proc_macro2::{Delimiter, Group, Punct, Spacing, Span, TokenStream, TokenTree
 use syn::{Expr, Type};
 
 use super::condition;
+use crate::visit::{begins_with_block, is_block};
 
 /// One level of tokens with the groups opened. What is in other groups is left as it is.
 pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
@@ -117,34 +118,6 @@ fn kind_of_expr(expr: &Expr) -> Kind {
         | Expr::Tuple(_) => Kind::Whole,
         _ => Kind::Loose,
     }
-}
-
-fn is_block(expr: &Expr) -> bool {
-    match expr {
-        Expr::Macro(call) => matches!(call.mac.delimiter, syn::MacroDelimiter::Brace(_)),
-        Expr::Block(_) | Expr::Const(_) | Expr::If(_) | Expr::Loop(_) | Expr::Match(_) | Expr::Unsafe(_) => true,
-        _ => false,
-    }
-}
-
-fn begins_with_block(expr: &Expr) -> bool {
-    let first = match expr {
-        Expr::Assign(assign) => &assign.left,
-        Expr::Await(awaited) => &awaited.base,
-        Expr::Binary(binary) => &binary.left,
-        Expr::Call(call) => &call.func,
-        Expr::Cast(cast) => &cast.expr,
-        Expr::Field(field) => &field.base,
-        Expr::Index(index) => &index.expr,
-        Expr::MethodCall(call) => &call.receiver,
-        Expr::Range(range) => match &range.start {
-            Some(start) => start,
-            None => return false,
-        },
-        Expr::Try(tried) => &tried.expr,
-        _ => return false,
-    };
-    is_block(first) || begins_with_block(first)
 }
 
 /// Where a fragment stands.

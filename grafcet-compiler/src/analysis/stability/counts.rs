@@ -2,10 +2,11 @@
 //!
 //! Of what clears again and again in one search, nothing but such steps writes the count. So it grows, and each turn needs it to be small.
 
+use super::length::Lengths;
 use super::successors::{LARGE, Successors};
 use super::{Candidates, circles, entered_again};
 use crate::analysis::Concurrency;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{
     Binary, Computed, Effect, How, Id, Integer, Model, Name, Place, Qualifier, Read, Statement, StepId, TransitionId,
     Tree, Ty, Unary,
@@ -20,15 +21,17 @@ struct Count {
     limited: Candidates,
     /// The transitions with which it grows, and by how much each.
     grows: Vec<(TransitionId, i128)>,
+    /// Those that clear a bounded number of times, and with which it may begin anew.
+    others: Vec<TransitionId>,
 }
 
 /// After how many evolutions a count has ended the circle, if these are all that can clear again and again.
 pub(super) fn turns(
     model: &Model,
     concurrency: &Concurrency,
+    lengths: &Lengths<'_>,
     successors: &mut Successors<'_>,
-    allowed: &Candidates,
-    circle: &Candidates,
+    (allowed, circle): (&Candidates, &Candidates),
 ) -> Option<u64> {
     if circle.len() > LARGE {
         return None;
@@ -43,14 +46,18 @@ pub(super) fn turns(
     if allowed.difference(circle).any(enters) {
         return None;
     }
-    // Each time that something else puts the chart into the circle, it begins anew.
     let partial = circle.iter().map(|id| model.transitions[*id].partial).next()?;
-    let others = model.transitions.iter().filter(|(_, transition)| transition.partial != partial);
-    let entries = others.filter(|(id, _)| is_entry(model, successors, *id, circle)).count();
+    // What others are entered by would be entered as often as it turns.
+    let is_inside = |step: &StepId| model.steps[*step].partial == partial;
+    if !circle.iter().all(|id| successors.activates(*id).iter().all(is_inside)) {
+        return None;
+    }
+    let entries = lengths.entries_into(successors, partial, circle);
     let places: Set<Place> = circle.iter().flat(|id| compared(&model.transitions[*id].condition.tree)).collect();
     let ends = |place: &Place| {
         let count = Count::of(model, successors, (&allowed, circle), *place)?;
-        Some(count.turns(successors, circle)? * (entries as u64 + 1))
+        let resets = count.resets(model, concurrency, lengths, circle, entries);
+        count.turns(successors, circle, entries, resets)
     };
     let found: Vec<Option<u64>> = places.iter().map(ends).list();
     found.into_iter().flatten().min()
@@ -115,25 +122,34 @@ impl Count {
         let condition = |id: &TransitionId| limit(&model.transitions[*id].condition.tree, true, place);
         let limits: Vec<(TransitionId, i128)> = circle.iter().filter_map(|id| Some((*id, condition(id)?))).list();
         let most = limits.iter().map(|(_, limit)| *limit).max()?;
-        let mut grows = Vec::new();
+        let (mut grows, mut grows_beside, mut others) = (Vec::new(), Vec::new(), Vec::new());
+        let bounded = model.transitions.ids().filter(|id| !allowed.contains(id)).list();
         for association in model.associations.values().filter(|one| one.effect.writes().contains(&place)) {
             let step = association.step;
             match association.qualifier {
                 Qualifier::P1 => {
                     let by = if association.condition.is_none() { grown(&association.effect, place) } else { None };
-                    for id in allowed.iter().filter(|id| successors.activates(**id).contains(&step)) {
-                        // What is forced may be active already, and is not activated then.
-                        let is_target = model.transitions[*id].targets.contains(&step);
-                        grows.push((*id, by.filter(|_| is_target)?));
+                    // What is forced may be active already, and is not activated then.
+                    let by = |id: &TransitionId| by.filter(|_| model.transitions[*id].targets.contains(&step));
+                    let activates = |id: &&TransitionId| successors.activates(**id).contains(&step);
+                    for id in allowed.iter().filter(activates) {
+                        grows.push((*id, by(id)?));
+                    }
+                    for id in bounded.iter().filter(activates) {
+                        match by(id) {
+                            Some(by) => grows_beside.push((*id, by)),
+                            None => others.push(*id),
+                        }
                     }
                 }
                 Qualifier::P0 => {
                     let stays =
                         model.forces.is_empty() && model.partials[model.steps[step].partial].enclosed_by.is_none();
-                    let is_left = allowed.iter().any(|id| model.transitions[*id].sources.contains(&step));
-                    if is_left || !stays {
+                    let leaves = |id: &TransitionId| model.transitions[*id].sources.contains(&step);
+                    if allowed.iter().any(leaves) || !stays {
                         return None;
                     }
+                    others.push_all(bounded.iter().copied().filter(leaves));
                 }
                 _ => return None,
             }
@@ -143,29 +159,58 @@ impl Count {
                 grows.push((*id, grown(effect, place)?));
             }
         }
+        let writes =
+            |id: &TransitionId| model.transitions[*id].clearing.iter().any(|one| one.writes().contains(&place));
+        others.push_all(bounded.iter().copied().filter(writes));
         let Ty::Int { rust, .. } = model.place_ty(place) else { return None };
         let ty = Integer::of(rust)?;
         // It does not come to the end of its type, where it would begin anew.
         let bits = if ty.is_size { 16 } else { ty.bits.min(32) };
         let (total, greatest) = (grows.iter().map(|(_, by)| by).sum::<i128>(), (1_i128 << bits) - 1);
-        let is_known = !ty.signed && most >= 0 && most.checked_add(total)? <= greatest;
+        let largest = most.checked_add(total)?;
+        let is_known = !ty.signed && most >= 0 && largest <= greatest;
+        let begins_anew = |by: i128| largest.checked_add(by).is_none_or(|sum| sum > greatest);
+        others.push_all(grows_beside.into_iter().filter(|(_, by)| begins_anew(*by)).map(|(id, _)| id));
         let is_within = grows.iter().all(|(id, _)| circle.contains(id));
         let limited = limits.into_iter().map(|(id, _)| id).collect();
-        (is_known && is_within && !grows.is_empty()).then_some(Self { most, limited, grows })
+        (is_known && is_within && !grows.is_empty()).then_some(Self { most, limited, grows, others })
+    }
+
+    /// How often something writes it that does not count. Who has left the circle of the only active step comes back with an entry alone.
+    fn resets(
+        &self,
+        model: &Model,
+        concurrency: &Concurrency,
+        lengths: &Lengths<'_>,
+        circle: &Candidates,
+        entries: u64,
+    ) -> u64 {
+        let steps = circle.iter().flat(|id| model.transitions[*id].sources.clone()).list();
+        let own = steps.first().map(|step| model.steps[*step].partial);
+        let is_beside = |id: &TransitionId| {
+            let transition = &model.transitions[*id];
+            let mut around = transition.sources.iter().chain(&transition.targets);
+            Some(transition.partial) != own
+                || around.any(|step| {
+                    !steps.contains(step) && steps.iter().any(|inside| concurrency.together(*step, *inside))
+                })
+        };
+        let (beside, alone): (Vec<TransitionId>, Vec<TransitionId>) = self.others.iter().copied().partition(is_beside);
+        beside.iter().map(|id| lengths.clearings(*id)).sum::<u64>() + if alone.is_empty() { 0 } else { entries }
     }
 
     /// After how many evolutions the circle has ended, if each turn is limited and counted.
-    fn turns(&self, successors: &mut Successors<'_>, circle: &Candidates) -> Option<u64> {
+    fn turns(&self, successors: &mut Successors<'_>, circle: &Candidates, entries: u64, resets: u64) -> Option<u64> {
         let growing: Candidates = self.grows.iter().map(|(id, _)| *id).collect();
         let mut is_broken =
             |without: &Candidates| circles(successors, &circle.difference(without).copied().collect()).is_empty();
         if !is_broken(&growing) || !is_broken(&self.limited) {
             return None;
         }
-        // Until the count is too large, and once more from there.
+        // Until the count is too large, with each reset anew, and once more from there and for each entry.
         let by = self.grows.iter().map(|(_, by)| *by).min()?;
-        let grown = u64::try_from(self.most / by).ok()?;
-        grown.checked_add(2)?.checked_mul(circle.len() as u64)
+        let grown = u64::try_from(self.most / by).ok()?.checked_add(1)?;
+        grown.checked_mul(resets + 1)?.checked_add(entries + 1)?.checked_mul(circle.len() as u64)
     }
 }
 

@@ -6,15 +6,17 @@
 //! cycle at most. Where no circle is left without these, and without those that count how often they turn, the search ends.
 
 mod counts;
+mod length;
 mod once;
 mod rounds;
 mod successors;
 
+use self::length::Lengths;
 use self::successors::Successors;
 use super::Concurrency;
 use super::edges::is_edge_of_inputs;
 use crate::list::List;
-use crate::model::{Id, Model, Name, Qualifier, Read, StepId, TransitionId};
+use crate::model::{Id, Model, Name, Qualifier, Read, StepId, Transition, TransitionId};
 use crate::sorted::Set;
 
 /// So many circles are looked at, each with one choice between transitions that exclude each other, before nothing is claimed.
@@ -25,8 +27,10 @@ type Candidates = Set<TransitionId>;
 
 /// What is known about the end of the search.
 pub struct Stability {
-    /// If every search ends, how many evolutions counts take to end circles.
-    counted: Option<u64>,
+    /// Every search ends.
+    is_certain: bool,
+    /// After so many evolutions, as far as that is known.
+    longest: Option<u64>,
     at_once: bool,
     ends: Ends,
 }
@@ -60,7 +64,7 @@ impl Stability {
         let events = model.associations.values().filter(|one| one.qualifier == Qualifier::On).list();
         let has_events = !events.is_empty();
         if !events.iter().all(|one| once::happens_once(model, one)) || is_refilled(model) {
-            return Self { counted: None, at_once: false, ends: Ends::default() };
+            return Self { is_certain: false, longest: None, at_once: false, ends: Ends::default() };
         }
         let mut successors = Successors::new(model);
         let all: Candidates = model.transitions.ids().collect();
@@ -68,14 +72,18 @@ impl Stability {
             && model.partials.len() == 1
             && model.forces.is_empty()
             && circles(&mut successors, &all).is_empty();
+        let lengths = Lengths::of(model, concurrency, &successors);
         let counted = if at_once {
             Some(0)
         } else {
             let again = all.iter().copied().filter(|id| !once::clears_once(model, concurrency, *id)).collect();
-            Turning { model, concurrency, successors: &mut successors, looked_at: 0 }.end(again, &all)
+            let (lengths, successors) = (lengths.as_ref(), &mut successors);
+            Turning { model, concurrency, lengths, successors, looked_at: 0 }.end(again, &all)
         };
+        let evolutions = length::evolutions(model, lengths.as_ref(), &mut successors);
+        let longest = counted.zip(evolutions).and_then(|(counted, others)| counted.checked_add(others));
         let ends = if has_events { Ends::default() } else { search_ends(model, &mut successors) };
-        Self { counted, at_once, ends }
+        Self { is_certain: counted.is_some(), longest, at_once, ends }
     }
 
     /// Whether the situation after an evolution follows from the one before it and from what stays constant during a cycle: a
@@ -98,12 +106,12 @@ impl Stability {
     /// Every search ends.
     #[must_use]
     pub fn is_certain(&self) -> bool {
-        self.counted.is_some()
+        self.is_certain
     }
 
-    /// Where every search ends, how many evolutions of it counts may take to end circles.
-    pub(super) fn counted(&self) -> Option<u64> {
-        self.counted
+    /// Every search ends after so many evolutions, as far as that is known.
+    pub(super) fn longest(&self) -> Option<u64> {
+        self.longest
     }
 
     /// Where a search ends without another look.
@@ -134,7 +142,12 @@ fn search_ends(model: &Model, successors: &mut Successors<'_>) -> Ends {
     let mut steps: Set<StepId> = model.transitions.values().flat(|t| &t.targets).copied().collect();
     let entered = steps.len();
     for (id, transition) in model.transitions.iter() {
-        let goes_on = transition.sources != transition.targets && !successors.is_followed_by_none(id);
+        // What is left and entered at once stays active, and what is done on clearing is done again (A4g).
+        let goes_on = if transition.sources == transition.targets {
+            !transition.clearing.is_empty()
+        } else {
+            !successors.is_followed_by_none(id)
+        };
         if goes_on {
             transition.targets.iter().for_each(|step| _ = steps.remove(step));
         }
@@ -144,12 +157,15 @@ fn search_ends(model: &Model, successors: &mut Successors<'_>) -> Ends {
 }
 
 /// Whether a source transition, which nothing has to enable, may go on filling a chart in which what clears depends on what
-/// is active or stored: the steps after it can then turn each other on and off.
+/// is active or stored: the steps after it can then turn each other on and off. What is done on clearing is done again each time.
 fn is_refilled(model: &Model) -> bool {
     let varies = |read: &Read| !is_constant_read(read) && !is_edge_of_inputs(model, read);
+    let goes_on = |transition: &Transition| {
+        transition.sources.len() > 1 || !transition.clearing.is_empty() || transition.condition.reads.iter().any(varies)
+    };
     let mut transitions = model.transitions.values();
-    let mut reads = model.transitions.values().flat(|transition| &transition.condition.reads);
-    transitions.any(|transition| transition.sources.is_empty()) && (model.partials.len() > 1 || reads.any(varies))
+    transitions.any(|transition| transition.sources.is_empty())
+        && (model.partials.len() > 1 || model.transitions.values().any(goes_on))
 }
 
 /// Whether a read has one value throughout a cycle.
@@ -162,6 +178,7 @@ pub fn is_constant_read(read: &Read) -> bool {
 struct Turning<'s, 'm> {
     model: &'m Model,
     concurrency: &'s Concurrency,
+    lengths: Option<&'s Lengths<'s>>,
     successors: &'s mut Successors<'m>,
     looked_at: usize,
 }
@@ -186,7 +203,8 @@ impl Turning<'_, '_> {
         }
         // Of a transition and those that exclude it, only the one or the others clear.
         let Some((one, others)) = self.successors.choice(circle) else {
-            return counts::turns(self.model, self.concurrency, self.successors, allowed, circle);
+            let lengths = self.lengths?;
+            return counts::turns(self.model, self.concurrency, lengths, self.successors, (allowed, circle));
         };
         let mut without = |gone: &Candidates| {
             let rest = |all: &Candidates| all.difference(gone).copied().collect::<Candidates>();

@@ -4,12 +4,13 @@ use proc_macro2::TokenStream;
 use quote::ToTokens;
 
 use super::Printer;
-use crate::codegen::rust::{bare, plain_name, without_parens};
+use crate::codegen::rust::{bare, plain_name};
 use crate::codegen::{names, writes};
 use crate::list::List;
 use crate::model::{Name, Place, Read};
 use crate::place::quote;
 use crate::program::{Expr, Run, User};
+use crate::visit::without_parens;
 
 /// Whether an expression of the user is an input alone.
 pub(super) fn is_input(user: &User<'_>) -> bool {

@@ -51,6 +51,11 @@ fn wire(sketch: &mut Sketch, looped: &[String], rest: &[String]) {
             None => sketch.arrow(name, plain, &rest[0]),
         }
     }
+    if sketch.rng.chance(10) {
+        // Left and entered at once, and never at rest.
+        let (at, condition) = (sketch.rng.below(rest.len()), sketch.word(&["rising(b)", "c && !a && !b", "2ms/R0"]));
+        sketch.arrow(&rest[at], &format!("{condition} => m = (m + 1) % 50"), &rest[at]);
+    }
     let mut leave = |sketch: &mut Sketch, from: usize, condition: &str, to: &str| {
         // Two that clear together are two tokens, which most charts of this kind cannot do with.
         let condition =
