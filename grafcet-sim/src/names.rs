@@ -1,6 +1,6 @@
 //! What everything in a chart is called.
 
-use grafcet_compiler::model::{Dialect, Id, Model, Name, StepId, TransitionId, Ty};
+use grafcet_compiler::model::{Dialect, Id, Integer, Model, Name, StepId, TransitionId, Ty};
 use proc_macro2::Ident;
 
 /// What everything in a chart is called, in the order of declaration. Everything else names it by its place here.
@@ -167,7 +167,10 @@ pub(crate) fn kind(model: &Model, name: Name) -> Kind {
 pub(crate) fn kind_of(ty: &Ty) -> Kind {
     match ty {
         Ty::Bool(_) => Kind::Bool,
-        Ty::Int { signed, bits, .. } => Kind::Int { signed: *signed, bits: *bits },
+        // Of `usize` and `isize` the most that they have, as in a record.
+        Ty::Int { signed, bits, rust } => {
+            Kind::Int { signed: *signed, bits: Integer::of(rust).map_or(*bits, |integer| integer.bits) }
+        }
         Ty::Time(_) => Kind::Time,
         Ty::Other(rust) => match quote::quote!(#rust).to_string().replace(' ', "") {
             text if ty.is_float() => Kind::Float(if text == "f32" { 32 } else { 64 }),

@@ -2,9 +2,9 @@
 
 use std::fmt::Debug;
 
-use grafcet::grafcet;
 use grafcet::record::wire::{Wire, wire_len};
 use grafcet::record::{Memory, Recordable, Recorder, Records, replay};
+use grafcet::{Ticks, grafcet};
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::{Cell, CellInputs};
 use grafcet_record::line24v::Line24V;
@@ -128,6 +128,39 @@ grafcet! {
         Three -[20ms/c/30ms || level > 200]-> Four;
         Four -[falling(c) || armed]-> Three;
         (Two, Three) -[!a || 4s/Two || n > 300]-> Idle;
+    }
+}
+
+/// A record has 64 bits for each `usize`, whoever made it; what the interpreter computes with has to fit into 32.
+#[test]
+fn numbers_of_the_machines_size_are_read() {
+    let mut recorder = Recorder::new(Sizes::new(), vec![0; 10_000]).expect("enough memory");
+    let mut seen = Vec::new();
+    for cycle in 0..12_u16 {
+        let (level, slope) = (30_000 * usize::from(cycle), 3 - 7_000 * isize::try_from(cycle).expect("few"));
+        let inputs = SizesInputs { a: cycle % 4 > 1, level, slope };
+        let outputs = recorder.cycle(&inputs, Ticks::new(cycle.into()), &mut ());
+        seen.push(format!("{outputs:?}"));
+    }
+    recorder.flush();
+    let trace = Replay::new().run(&source(include_str!("source.rs"), "Sizes"), recorder.record()).expect("a record");
+    assert_eq!((0..12).map(|cycle| shown(&trace, cycle).2).collect::<Vec<_>>(), seen);
+    assert!(seen[11].contains("high: true") && seen[11].contains("seen: 7"), "{}", seen[11]);
+}
+
+grafcet! {
+    /// Numbers of the machine's size, which a record keeps with 64 bits on each.
+    #[derive(Debug)]
+    sfc Sizes {
+        input a: bool;
+        input level: usize;
+        input slope: isize;
+        output high: bool;
+        output seen: usize = 0;
+        param limit: usize = 70_000;
+        initial step Low;
+        step High { high if slope < 0; P1 seen = if level > 1_000 { 7 } else { 3 }; }
+        Low -[a && level > limit]-> High -[!a]-> Low;
     }
 }
 
