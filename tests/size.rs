@@ -357,9 +357,9 @@ fn encoding_is_documented() {
 
 chart! { sfc Cleared {
     output q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14: bool; output code: u8 = 0; output parts: u16 = 0;
-    step Second { q1; code = 3; P1 parts = parts.wrapping_add(1); }
+    step Second { q1; q2; q3; q4; q5; q6; q7; q8; q9; q10; q11; q12; q13; q14; code = 3; P1 parts = parts.wrapping_add(1); }
 } }
-chart! { sfc NotCleared { output q1, q2, q3, q4, q5, q6, q7, q8: bool; output code: u8 = 0; step Second { q1; code = 3; } } }
+chart! { sfc NotCleared { output q1, q2, q3, q4, q5, q6, q7, q8: bool; output code: u8 = 0; step Second { q1; q2; q3; q4; q5; q6; q7; q8; code = 3; } } }
 
 /// Many outputs are cleared piece by piece: what stands between the pieces is chosen by where it lies, so the struct keeps the order.
 #[test]

@@ -255,16 +255,15 @@ fn a_search_that_ends_may_be_too_long() {
         Facts::of(&model).searches(&model).may_go_on
     };
     let chart = |times: usize, waits: &str| {
-        let (mut steps, mut ways) = ("initial step M0;".to_owned(), String::new());
-        for time in 0..times {
+        let one = |time: usize| {
+            let from = if time == 0 { "M0 -[a]->".to_owned() } else { format!("M{} -[{waits}]->", 2 * time) };
             let (forces, waiting) = (2 * time + 1, 2 * time + 2);
-            let from = if time == 0 { "M0 -[a]-> ".to_owned() } else { format!("M{} -[{waits}]-> ", forces - 1) };
-            steps += &format!("step M{forces} {{ force Below {{T1}}; }} step M{waiting};");
-            ways += &format!("{from} M{forces} -[true]-> M{waiting};");
-        }
+            format!("step M{forces} {{ force Below {{T1}}; }} step M{waiting}; {from} M{forces} -[true]-> M{waiting};")
+        };
+        let above = (0..times).map(one).collect::<Vec<_>>().concat();
         let below = "initial step T1; step T2; step T3; step T4; step T5; step T6; step T7; step T8; step T9;";
         let chain = "T1 -[a || b]-> T2 -[true]-> T3 -[true]-> T4 -[true]-> T5 -[true]-> T6 -[true]-> T7 -[true]-> T8 -[true]-> T9 -[rising(b)]-> T1;";
-        format!("partial Above {{ {steps} {ways} }} partial Below {{ {below} {chain} }}")
+        format!("partial Above {{ initial step M0; {above} }} partial Below {{ {below} {chain} }}")
     };
     // With n times above: 2n + 1 + 9 steps give 4n + 22 evolutions, of which each time takes ten.
     assert!(!may_go_on(&chart(2, "T9.X")));
@@ -275,12 +274,9 @@ fn a_search_that_ends_may_be_too_long() {
     // Who resets a count lets its circle turn anew.
     let reset = |times: usize, reset: &str| {
         let turns = "initial step S1; step S2; step S3 { P1 n = n + 1; } S1 -[a]-> S2 -[b && n < 2]-> S3 -[true]-> S2;";
-        let (mut steps, mut ways) = ("initial step X0;".to_owned(), String::new());
-        for time in 1..=times {
-            steps += &format!("step X{time} {{ {reset} }}");
-            ways += &format!("X{} -[S2.X && n >= 2]-> X{time};", time - 1);
-        }
-        format!("var n: u8 = 0; var m: u8 = 0; partial Own {{ {turns} }} partial Other {{ {steps} {ways} }}")
+        let one = |time: usize| format!("step X{time} {{ {reset} }} X{} -[S2.X && n >= 2]-> X{time};", time - 1);
+        let other = (1..=times).map(one).collect::<Vec<_>>().concat();
+        format!("var n: u8 = 0; var m: u8 = 0; partial Own {{ {turns} }} partial Other {{ initial step X0; {other} }}")
     };
     assert!(!may_go_on(&reset(2, "P1 m = 0;")));
     assert!(!may_go_on(&reset(5, "P1 m = 0;")));

@@ -79,7 +79,7 @@ grafcet! {
         input a, b: bool; input level: u8; output high, low: bool;
         initial step I;
         step A { high if const { 1 } & level == 1; low if { b } & a; }
-        I -[loop { break a } & b]-> A;
+        I -[loop { if a { break b } else if !a { break a } } & b]-> A;
         A -[halved! { level } > 3 && a]-> I;
         A -[(if a { level } else { 0 }) == 0 && !a]-> I;
         A -[match level { 0 => 1, n => n } == 9 && a && halved! { level } <= 3]-> I;
