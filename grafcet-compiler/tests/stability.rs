@@ -271,6 +271,16 @@ fn a_search_that_ends_may_be_too_long() {
     // Without the wait all goes on at once.
     assert!(!may_go_on(&chart(5, "true")));
 
+    // Five tokens go one after the other through the same steps, each when the one before is at the end.
+    let tokens = |wait: &str| {
+        let one = |at: usize| format!("step B{at}; B{at} -[{wait} && !B{}.X]-> T0;", at - 1);
+        let (waiting, steps) =
+            ((1..5).map(one).collect::<Vec<_>>().concat(), "step T0; step T1; step T2; step T3; step T4; step T5;");
+        let ways = "Start -[a]-> (B0, B1, B2, B3, B4); B0 -[a]-> T0 -[a]-> T1 -[a]-> T2 -[a]-> T3 -[a]-> T4 -[a]-> T5 -[a]-> ();";
+        format!("initial step Start; step B0; {waiting} {steps} {ways}")
+    };
+    assert!(may_go_on(&tokens("T5.X")));
+
     // Who resets a count lets its circle turn anew.
     let reset = |times: usize, reset: &str| {
         let turns = "initial step S1; step S2; step S3 { P1 n = n + 1; } S1 -[a]-> S2 -[b && n < 2]-> S3 -[true]-> S2;";

@@ -68,12 +68,13 @@ impl Stability {
         }
         let mut successors = Successors::new(model);
         let all: Candidates = model.transitions.ids().collect();
-        let at_once = !has_events
+        let has_no_circle = !has_events
             && model.partials.len() == 1
             && model.forces.is_empty()
             && circles(&mut successors, &all).is_empty();
         let lengths = Lengths::of(model, concurrency, &successors);
-        let counted = if at_once {
+        let at_once = has_no_circle && lengths.is_some();
+        let counted = if has_no_circle {
             Some(0)
         } else {
             let again = all.iter().copied().filter(|id| !once::clears_once(model, concurrency, *id)).collect();
