@@ -293,6 +293,18 @@ fn a_search_that_ends_may_be_too_long() {
     assert!(may_go_on(&reset(5, "P1 n = 0;")));
     assert!(may_go_on(&reset(5, "P0 n = 0;")));
     assert!(may_go_on(&reset(5, "").replace("n >= 2]", "n >= 2 => n = 0]")));
+    // And whoever is begun anew resets it each time.
+    let ends = |force: &str| {
+        let one = |time: usize| {
+            let (from, at, to) = (2 * time, 2 * time + 1, 2 * time + 2);
+            format!("step M{at} {{ {force} }} step M{to}; M{from} -[a]-> M{at} -[true]-> M{to};")
+        };
+        let above = (0..4).map(one).collect::<Vec<_>>().concat();
+        let model = model(&format!("{} partial Above {{ initial step M0; {above} }}", reset(1, "P1 n = 0;")));
+        Facts::of(&model).all_end(&model)
+    };
+    assert!(ends(""));
+    assert!(!ends("force Other {X0};"));
 }
 
 /// A sequence has no second evolution after a step that nothing can leave in the cycle in which it is entered.

@@ -51,7 +51,7 @@ impl Printer<'_, '_> {
         let model = self.cx.model;
         let place = self.program.place(Role::Output(id));
         let is_zero = match place.map(|place| self.program.places[place.0].initial) {
-            Some(Initial::Default | Initial::Value(Value::Bool(false) | Value::Int(0))) => true,
+            Some(Initial::Default | Initial::Value(Value::Bool(false) | Value::Int(0) | Value::Ticks(0))) => true,
             Some(Initial::Constant(written)) => matches!(written.tree, Tree::Bool(false) | Tree::Int(0)),
             Some(Initial::Value(_)) => false,
             None => model.outputs[id].init.is_none(),

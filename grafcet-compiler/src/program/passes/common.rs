@@ -62,19 +62,17 @@ fn merge(arms: &mut Vec<Arm<'_>>) {
         sums.push(sum_of_block(body));
     }
     let same = groups(&sums, &|one, other| same_block(&arms[one].1, &arms[other].1));
-    let gain = |at: usize| (same.iter().filter(|group| **group == same[at]).count() - 1) * size(&arms[at].1);
-    let mut alike = Vec::new();
-    for at in (0..arms.len()).rev() {
-        if gain(at) > GAIN {
-            alike.push(arms[at].clone());
-        }
+    let mut members = vec![0; arms.len()];
+    for group in &same {
+        members[*group] += 1;
     }
-    if alike.is_empty() {
-        return;
+    let (mut alike, mut others) = (Vec::new(), Vec::new());
+    for (arm, group) in std::mem::take(arms).into_iter().zip(same) {
+        let is_much = (members[group] - 1) * size(&arm.1) > GAIN;
+        if is_much { alike.push(arm) } else { others.push(arm) }
     }
-    alike.reverse();
-    arms.retain(|(values, _)| !alike.iter().any(|(others, _)| values == others));
-    arms.extend(merged(alike));
+    others.extend(merged(alike));
+    *arms = others;
 }
 
 fn in_front<'m>(statement: &mut Statement<'m>, least: usize) -> Option<Statement<'m>> {
