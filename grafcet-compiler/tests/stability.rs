@@ -280,6 +280,10 @@ fn a_search_that_ends_may_be_too_long() {
         format!("initial step Start; step B0; {waiting} {steps} {ways}")
     };
     assert!(may_go_on(&tokens("T5.X")));
+    // A stop leaves both branches, and enters its step once.
+    let stop = "initial step Start; step A; step B; Start -[a]-> (A, B); (A, B) -[!a]-> Start; any -[b && !a]-> Start;";
+    let stop = model(stop);
+    assert!(stability(&stop).is_at_once());
 
     // Who resets a count lets its circle turn anew.
     let reset = |times: usize, reset: &str| {

@@ -128,8 +128,11 @@ impl<'s> Lengths<'s> {
 fn is_entered_twice(model: &Model, concurrency: &Concurrency) -> bool {
     let sources = |id: &TransitionId| &model.transitions[*id].sources;
     let meet = |one: &TransitionId, other: &TransitionId| {
+        // What leaves any step clears for all that are active, and enters its targets once.
+        let any = model.transitions[*one].any;
+        let is_same = any.is_some() && any == model.transitions[*other].any;
         let (one, other) = (sources(one), sources(other));
-        let shares = one.iter().any(|step| other.contains(step));
+        let shares = is_same || one.iter().any(|step| other.contains(step));
         !shares && one.iter().any(|a| other.iter().any(|b| concurrency.together(*a, *b)))
     };
     let is_beside = |id: &&TransitionId| sources(id).iter().any(|step| concurrency.beside(*step).next().is_some());
