@@ -19,6 +19,17 @@ pub struct PlaceInfo<'m> {
     pub is_field: bool,
 }
 
+impl<'m> PlaceInfo<'m> {
+    pub(super) fn local(name: String, ty: Type<'m>, initial: Initial<'m>) -> Self {
+        Self { name, role: Role::Local, ty, initial, is_field: false }
+    }
+
+    /// A local that is false at first.
+    pub(super) fn truth(name: String) -> Self {
+        Self::local(name, Type::Bool, Initial::Value(Value::Bool(false)))
+    }
+}
+
 /// What a place is for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Role {

@@ -101,7 +101,7 @@ impl<'r, 'm> Lower<'r, 'm> {
 
     pub(super) fn local(&mut self, name: String, ty: Type<'m>) -> PlaceId {
         let initial = initial_of(ty);
-        self.places.push(PlaceInfo { name, role: Role::Local, ty, initial, is_field: false });
+        self.places.push(PlaceInfo::local(name, ty, initial));
         PlaceId(self.places.len() - 1)
     }
 

@@ -11,8 +11,8 @@
 //! them is what the match does otherwise. It is only looked at where one of them has acted.
 
 use super::super::{Program, Role, Statement};
+use super::edits::blocks_mut;
 use super::split::merged;
-use super::uses::blocks_mut;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut is_number = Vec::with_capacity(program.places.len());

@@ -18,8 +18,9 @@
 use std::cell::{Cell, RefCell};
 
 use super::super::{Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
+use super::edits::blocks_mut;
 use super::fold::{Known, initial};
-use super::uses::{blocks, blocks_mut, each_written};
+use super::uses::{each_written, has};
 use super::without_empty;
 use crate::list::List;
 use crate::sorted::Map;
@@ -108,7 +109,10 @@ impl<'p, 'm> Anew<'p, 'm> {
         let state = program.place(Role::State(region))?;
         let mut fields = Vec::new();
         for (index, place) in program.places.iter().enumerate() {
-            if place.is_field && is_own(place.role) && stores(&program.cycle, PlaceId(index)) {
+            if place.is_field
+                && is_own(place.role)
+                && has(&program.cycle, &|one| matches!(one, Statement::Set(to, Expr::Value(_)) if to.0 == index))
+            {
                 fields.push(PlaceId(index));
             }
         }
@@ -307,14 +311,6 @@ fn is_own(role: Role) -> bool {
             | Role::Edge(_)
             | Role::ActionEdge(_)
     )
-}
-
-/// Whether some statement stores a constant in a place.
-fn stores(statements: &[Statement<'_>], place: PlaceId) -> bool {
-    statements.iter().any(|one| match one {
-        Statement::Set(to, Expr::Value(_)) => *to == place,
-        other => blocks(other).into_iter().any(|block| stores(block, place)),
-    })
 }
 
 /// Vec<Reached> with the same states are one, of which is known what is known of both.

@@ -19,8 +19,9 @@
 
 use super::super::build::all;
 use super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Value};
+use super::edits::blocks_mut;
 use super::once;
-use super::uses::{blocks, blocks_mut, each_read, is_pure, leaves};
+use super::uses::{blocks, each_read, is_pure, leaves};
 use crate::model::StepId;
 
 /// With fewer arms the states are compared one by one, and what is asked first costs as little where it stands: a chart of three regions of one step each takes 56 bytes less so

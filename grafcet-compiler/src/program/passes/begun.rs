@@ -17,7 +17,8 @@
 //! where it asks for one.
 
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
-use super::uses::{blocks, blocks_mut, is_written_in, mentions, reads_from, writes_to};
+use super::edits::blocks_mut;
+use super::uses::{blocks, is_written_in, mentions, reads_from, writes_to};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {

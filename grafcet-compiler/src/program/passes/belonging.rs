@@ -12,10 +12,10 @@
 
 use super::super::build::no;
 use super::super::{Expr, PlaceId, PlaceInfo, Statement};
+use super::edits::rename;
 use super::excluding::Situations;
 use super::parts::{Looked, Part, cut, gathers, region_of, written};
 use super::uses::{Effects, each_written, is_pure, mentions, same_block, writes_to};
-use super::working::rename;
 use crate::list::List;
 use crate::sorted::Set;
 

@@ -20,10 +20,11 @@
 use super::super::build::all;
 use super::super::costs::questions;
 use super::super::{Arm, Expr, Program, Statement, Value};
+use super::edits::blocks_mut;
 use super::many::{groups, sum_of, sum_of_block};
 use super::once::size;
 use super::split::merged;
-use super::uses::{blocks_mut, is_plain, is_pure, same, same_block};
+use super::uses::{is_plain, is_pure, same, same_block};
 use crate::model::StepId;
 use crate::sorted::sort;
 

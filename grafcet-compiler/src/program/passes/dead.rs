@@ -10,8 +10,9 @@
 //! An expression that may answer differently each time is asked all the same.
 
 use super::super::{Deadline, Expr, PlaceId, PlaceInfo, Program, Role, Statement};
+use super::edits::{replaced, rewrite};
 use super::live::{Live, Places};
-use super::uses::{Effects, each_asked, each_read, each_written, is_pure, replaced, rewrite};
+use super::uses::{Effects, each_asked, each_read, each_written, is_pure};
 use crate::model::Read;
 
 pub(super) fn pass(program: &mut Program<'_>) {

@@ -13,7 +13,7 @@ use syn::{BinOp, UnOp};
 
 use super::super::build::{all, any, not};
 use super::super::{Expr, Program, Statement, Type, User, Value};
-use super::uses::rewrite;
+use super::edits::rewrite;
 use crate::model::{Binary, Model, Name, Read, Tree, Ty, Unary};
 
 pub(super) fn pass(program: &mut Program<'_>) {

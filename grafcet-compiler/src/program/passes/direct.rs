@@ -17,8 +17,9 @@
 
 use super::super::{Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
 use super::dead::drop_places;
+use super::edits::{blocks_mut, rename, unset};
 use super::fold::initial;
-use super::uses::{Effects, blocks_mut, each_asked, each_written, is_written_in, replaced, rewrite, unset};
+use super::uses::{Effects, each_asked, each_written, has, is_written_in, writes_to};
 use crate::model::{Tree, Ty};
 
 /// So many find registers of their own.
@@ -70,7 +71,9 @@ fn put(program: &Program<'_>, cycle: &[Statement<'_>], at: usize) -> Option<(Pla
     each_written(cycle, &mut |place| writes += usize::from(place == *output));
     let after = Effects::of_all(&cycle[at + 1..]);
     let ends = !after.reads.contains(local) && !after.writes.contains(local);
-    ((reads, writes) == (0, 1) && ends && !is_run(cycle, *local)).then_some((*output, *local))
+    // Code of the user writes what it has bound.
+    let is_run = |one: &Statement<'_>| matches!(one, Statement::Run(_)) && writes_to(one, *local);
+    ((reads, writes) == (0, 1) && ends && !has(cycle, &is_run)).then_some((*output, *local))
 }
 
 /// What an output begins with, where it is a constant.
@@ -135,32 +138,5 @@ impl Begins {
 fn drop_empty(statement: &mut Statement<'_>) {
     if let Statement::Match(_, arms, otherwise) = statement {
         arms.retain(|(_, body)| !(body.is_empty() && otherwise.is_empty()));
-    }
-}
-
-/// Whether code of the user writes a place.
-fn is_run(statements: &[Statement<'_>], place: PlaceId) -> bool {
-    statements.iter().any(|statement| match statement {
-        Statement::Run(run) => run.writes.iter().any(|write| write.to == place || write.noted == Some(place)),
-        _ => super::uses::blocks(statement).into_iter().any(|block| is_run(block, place)),
-    })
-}
-
-fn rename(statements: &mut [Statement<'_>], from: PlaceId, to: PlaceId) {
-    rewrite(statements, &mut |expr| {
-        replaced(expr, &|leaf| matches!(leaf, Expr::Place(place) if *place == from).then_some(Expr::Place(to)))
-    });
-    write_to(statements, from, to);
-}
-
-fn write_to(statements: &mut [Statement<'_>], from: PlaceId, to: PlaceId) {
-    for statement in statements {
-        match statement {
-            Statement::Set(place, _) if *place == from => *place = to,
-            _ => {}
-        }
-        for block in blocks_mut(statement) {
-            write_to(block, from, to);
-        }
     }
 }

@@ -25,9 +25,9 @@
 use std::cell::Cell;
 
 use super::super::{Expr, Fence, PlaceId, Program, Role, Statement, Type};
+use super::edits::{rename, replaced, rewrite};
 use super::tables::goes_by_table;
-use super::uses::{is_written_in, replaced, rewrite};
-use super::working::rename;
+use super::uses::is_written_in;
 
 /// With fewer steps the code is smaller where the inputs are found once for all evolutions.
 const FEW: usize = 3;

@@ -11,7 +11,7 @@
 //! ```
 
 use super::super::build::{no, not};
-use super::super::{Expr, Initial, PlaceId, PlaceInfo, Role, Statement, Type, Value};
+use super::super::{Expr, PlaceId, PlaceInfo, Statement};
 use super::uses::{Effects, is_plain, is_pure};
 
 /// Lists of `||` that are longer are spread.
@@ -108,8 +108,7 @@ impl<'m> Flat<'_, 'm> {
             }
             Expr::Any(parts) if parts.len() > LONG => {
                 let place = PlaceId(self.places.len());
-                let (name, off) = (format!("any.{}", place.0), Initial::Value(Value::Bool(false)));
-                self.places.push(PlaceInfo { name, role: Role::Local, ty: Type::Bool, initial: off, is_field: false });
+                self.places.push(PlaceInfo::truth(format!("any.{}", place.0)));
                 if self.in_loop {
                     self.push(Statement::Set(place, no()), guard);
                 }

@@ -11,8 +11,9 @@
 
 use super::super::{Expr, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::is_seen;
+use super::edits::{replaced, rewrite};
 use super::fold::{Known, initial};
-use super::uses::{Effects, blocks, each_read, is_pure, replaced, rewrite};
+use super::uses::{Effects, blocks, each_read, is_pure};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     initials(program);

@@ -12,10 +12,11 @@
 //! other arm what stands in front may be done after it; it does not write what is matched on. A match in which each state leads to one of them, or is that one, is no question.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::edits::blocks_mut;
 use super::fold::{Known, initial};
 use super::many::values;
 use super::share::{is_first, take_first};
-use super::uses::{Effects, blocks_mut, is_plain, is_pure};
+use super::uses::{Effects, is_plain, is_pure};
 use crate::model::StepId;
 use crate::sorted::Set;
 

@@ -13,9 +13,9 @@
 //! Needs: each arm stands for many states, of two matches that tell nearly the same apart, or of 256 states and more, under `optimize size;`; else what a table of next states stands after, where a few states have
 //! an arm of their own.
 
-use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Statement, Type, Value};
 use super::split::merged;
-use super::uses::blocks;
+use super::uses::has;
 use crate::list::List;
 use crate::sorted::{Map, Set};
 
@@ -165,13 +165,7 @@ fn of_states(kinds: &Kinds, states: &[Value]) -> Vec<Value> {
 
 fn local(program: &mut Program<'_>, count: i128) -> PlaceId {
     let list = program.places.len();
-    program.places.push(PlaceInfo {
-        name: "kind".to_owned(),
-        role: Role::Local,
-        ty: Type::Kind { list, count },
-        initial: Initial::Value(Value::Int(0)),
-        is_field: false,
-    });
+    program.places.push(PlaceInfo::local("kind".to_owned(), Type::Kind { list, count }, Initial::Value(Value::Int(0))));
     PlaceId(list)
 }
 
@@ -183,15 +177,8 @@ fn states(program: &Program<'_>, region: usize) -> Vec<Value> {
             all.extend((of == region).then_some(state));
         }
     }
-    if may_be_none(&program.cycle) {
+    if has(&program.cycle, &|one| matches!(one, Statement::Set(_, Expr::Value(Value::Step(None))))) {
         all.push(Value::Step(None));
     }
     all
-}
-
-fn may_be_none(statements: &[Statement<'_>]) -> bool {
-    statements.iter().any(|statement| {
-        matches!(statement, Statement::Set(_, Expr::Value(Value::Step(None))))
-            || blocks(statement).into_iter().any(|block| may_be_none(block))
-    })
 }

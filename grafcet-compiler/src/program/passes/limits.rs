@@ -12,8 +12,9 @@
 
 use super::super::build::not;
 use super::super::{Comparison, Expr, Program, Statement, Value};
+use super::edits::blocks_mut;
 use super::many::{groups, sum_of_block};
-use super::uses::{blocks_mut, same_block};
+use super::uses::same_block;
 
 /// From so many on they share what they do.
 const SHARED: usize = 3;

@@ -61,6 +61,7 @@ mod dead;
 mod decompose;
 mod direct;
 mod early;
+mod edits;
 mod engine;
 mod excluding;
 mod fences;
@@ -227,7 +228,7 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
     match pass {
         Pass::Marks => {
             for cycle in program.cycles_mut() {
-                without_marks(cycle);
+                edits::remove(cycle, &|one| matches!(one, Statement::Mark(_)));
                 without_empty(cycle);
             }
         }
@@ -272,16 +273,9 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
 }
 
 /// Nobody observes.
-fn without_marks(statements: &mut Vec<Statement<'_>>) {
-    statements.retain(|statement| !matches!(statement, Statement::Mark(_)));
-    for block in statements.iter_mut().flat_map(uses::blocks_mut) {
-        without_marks(block);
-    }
-}
-
 /// A condition of which nothing is left to do is not asked.
 fn without_empty(statements: &mut Vec<Statement<'_>>) {
-    for block in statements.iter_mut().flat_map(uses::blocks_mut) {
+    for block in statements.iter_mut().flat_map(edits::blocks_mut) {
         without_empty(block);
     }
     statements.retain(|statement| match statement {

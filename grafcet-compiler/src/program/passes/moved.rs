@@ -23,10 +23,11 @@
 use super::super::build::{all, compare, not, zero};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::read_after;
+use super::edits::replaced;
 use super::engine::{End, Fact, Leaf, Tree};
 use super::live::{Live, Places};
 use super::split::each_leaf;
-use super::uses::{Effects, is_read_in, replaced};
+use super::uses::{Effects, is_read_in};
 use crate::model::StepId;
 
 /// What one cycle does from each state that it may begin with.
@@ -161,7 +162,7 @@ fn asks(after: &Places, leaf: &Leaf<'_>, since: PlaceId) -> bool {
 fn where_it_differs<'m>(program: &mut Program<'m>, state: PlaceId, time: RegionTime) -> [Statement<'m>; 2] {
     let PlaceInfo { name, initial, .. } = &program.places[state.0];
     let (name, initial) = (format!("was.{name}"), *initial);
-    program.places.push(PlaceInfo { name, role: Role::Local, ty: Type::State(0), initial, is_field: false });
+    program.places.push(PlaceInfo::local(name, Type::State(0), initial));
     let was = PlaceId(program.places.len() - 1);
     let goes = compare(Comparison::Differs, Expr::Place(was), Expr::Place(state));
     [Statement::Set(was, Expr::Place(state)), Statement::If(goes, vec![time.begin()], Vec::new())]

@@ -16,9 +16,10 @@
 //! is something to do.
 
 use super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Value};
+use super::edits::blocks_mut;
 use super::engine::Among;
 use super::fold::Known;
-use super::uses::{Effects, blocks_mut, is_pure};
+use super::uses::{Effects, is_pure};
 use crate::model::{Id, StepId};
 
 /// So many statements are worth a test of their own.

@@ -21,11 +21,12 @@
 //! In the search of a `grafcet` the ways that do not go on leave the loop. Needs: each way through it ends in one state at most.
 
 use super::super::build::{compare, no, not, yes};
-use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::super::{Arm, Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
+use super::edits::blocks_mut;
 use super::many::complete;
 use super::split::merged;
 use super::store::writes_state;
-use super::uses::{blocks_mut, is_pure, is_read_in, is_written_in, same, writes_to};
+use super::uses::{is_pure, is_read_in, is_written_in, same, writes_to};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -60,7 +61,7 @@ fn search(program: &mut Program<'_>, at: usize) {
         let reset = Statement::Set(goes, no());
         let goes_on = Statement::If(Expr::Place(goes), vec![onward], Vec::new());
         body.splice(..1, [reset, Statement::Match(state, new, otherwise), goes_on]);
-        program.places.push(truth("goes"));
+        program.places.push(PlaceInfo::truth("goes".to_owned()));
         return;
     }
     for (_, arm) in &mut new {
@@ -94,16 +95,6 @@ fn without_set(statements: &mut Vec<Statement<'_>>, goes: PlaceId) {
     }
 }
 
-fn truth<'m>(name: &str) -> PlaceInfo<'m> {
-    PlaceInfo {
-        name: name.to_owned(),
-        role: Role::Local,
-        ty: Type::Bool,
-        initial: Initial::Value(Value::Bool(false)),
-        is_field: false,
-    }
-}
-
 fn scan(program: &mut Program<'_>) {
     let Some(at) = program.cycle.iter().position(|statement| writes_state(program, statement)) else { return };
     let [Statement::Match(state, arms, _), after @ ..] = &program.cycle[at..] else { return };
@@ -128,7 +119,7 @@ fn scan(program: &mut Program<'_>) {
     then.extend(next.begins);
     let new = [Statement::Match(state, new, Vec::new()), Statement::If(Expr::Place(goes), then, Vec::new())];
     program.cycle.splice(at..=at + usize::from(was.is_some()), new);
-    program.places.push(truth("goes"));
+    program.places.push(PlaceInfo::truth("goes".to_owned()));
     if let Some(was) = was {
         without(&mut program.cycle, was);
     }

@@ -15,7 +15,8 @@
 
 use super::super::build::at_least;
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::uses::{Effects, blocks, blocks_mut, is_read_in, replaced, rewrite};
+use super::edits::{blocks_mut, remove, replaced, rewrite};
+use super::uses::{Effects, blocks, is_read_in};
 use super::without_empty;
 
 /// From so many arms on it pays.
@@ -72,7 +73,7 @@ fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, sinc
     for body in blocks_mut(&mut block[at]) {
         rewrite(body, &mut |expr| replaced(expr, &time));
         if bounded >= BOUNDED {
-            without_bounds(body, since);
+            remove(body, &|one| is_bound(one, since));
             without_empty(body);
         }
     }
@@ -83,13 +84,7 @@ fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, sinc
     }
     let since = Expr::Since(Box::new(Expr::Now), Box::new(Expr::Place(since)));
     block.insert(at, Statement::Set(passed, since));
-    places.push(PlaceInfo {
-        name: "passed".to_owned(),
-        role: Role::Local,
-        ty: Type::Ticks,
-        initial: Initial::Value(Value::Ticks(0)),
-        is_field: false,
-    });
+    places.push(PlaceInfo::local("passed".to_owned(), Type::Ticks, Initial::Value(Value::Ticks(0))));
 }
 
 /// It stands still at the longest time that a step asks for.
@@ -109,15 +104,6 @@ fn bounds(statement: &Statement<'_>, since: PlaceId) -> usize {
         all += block.iter().map(|one| bounds(one, since)).sum::<usize>();
     }
     all
-}
-
-fn without_bounds(body: &mut Vec<Statement<'_>>, since: PlaceId) {
-    body.retain(|one| !is_bound(one, since));
-    for statement in body.iter_mut() {
-        for block in blocks_mut(statement) {
-            without_bounds(block, since);
-        }
-    }
 }
 
 fn is_time(expr: &Expr<'_>, since: PlaceId) -> bool {

@@ -21,6 +21,7 @@
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::{is_seen, read_after};
 use super::early::Early;
+use super::edits::{remove, replaced, rewrite};
 use super::engine::{End, Engine, Excluding, Fact, Lost, Tree, beginning};
 use super::flat::flat;
 use super::live::{Live, Places};
@@ -28,7 +29,7 @@ use super::share;
 use super::sparse::{Index, States};
 use super::split::{each_leaf, meet, merged};
 use super::told::{self, Told};
-use super::uses::{Effects, blocks_mut, is_written_in, replaced, rewrite, writes_to};
+use super::uses::{Effects, is_written_in, writes_to};
 use crate::sorted::Set;
 
 /// More ways from one state than this are too many.
@@ -210,7 +211,7 @@ impl<'m> Search<'m> {
     /// The only round: each way ends it.
     fn once(&self, trees: Vec<Option<Tree<'m>>>) -> Vec<Statement<'m>> {
         let mut body = vec![self.turn(trees)];
-        without_break(&mut body);
+        remove(&mut body, &|one| matches!(one, Statement::Break));
         body
     }
 
@@ -342,13 +343,6 @@ fn gathered<'m>(expr: &Expr<'m>) -> Option<Expr<'m>> {
         }
     }
     Some(if all.len() == 1 { all.remove(0) } else { Expr::Any(all) })
-}
-
-fn without_break(statements: &mut Vec<Statement<'_>>) {
-    for block in statements.iter_mut().flat_map(blocks_mut) {
-        without_break(block);
-    }
-    statements.retain(|one| !matches!(one, Statement::Break));
 }
 
 /// Paragraphs opened.

@@ -25,8 +25,9 @@
 
 use super::super::build::{any, yes};
 use super::super::{Expr, PlaceId, Program, Role, Statement, Value};
+use super::edits::{blocks_mut, unset};
 use super::fold::initial;
-use super::uses::{Effects, blocks, blocks_mut, is_plain, mentions, unset, writes_to};
+use super::uses::{Effects, blocks, is_plain, mentions, writes_to};
 
 /// From so many places that set it on it pays.
 const PLACES: usize = 3;

@@ -16,8 +16,9 @@
 
 use super::super::build::{all, compare, not, yes};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Value, Wait};
+use super::edits::{replaced, unset};
 use super::fold::initial;
-use super::uses::{Effects, blocks, each_read, is_read_in, mentions, replaced, unset, writes_to};
+use super::uses::{Effects, blocks, each_read, is_read_in, mentions, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
 

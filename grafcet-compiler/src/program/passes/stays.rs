@@ -19,7 +19,8 @@
 //! takes place, and nothing leaves the round.
 
 use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
-use super::uses::{Effects, blocks_mut, is_written_in, writes_to};
+use super::edits::{blocks_mut, rename};
+use super::uses::{Effects, is_written_in, writes_to};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -155,7 +156,7 @@ fn in_place(places: &[PlaceInfo<'_>], body: &mut Vec<Statement<'_>>, after: &Eff
         if let Some((next, value, end)) = copied(places, body, at, after) {
             body.remove(end);
             body.remove(at);
-            renamed(&mut body[at..end - 1], next, value);
+            rename(&mut body[at..end - 1], next, value);
         } else {
             at += 1;
         }
@@ -185,18 +186,5 @@ fn same_type(a: &super::super::Type<'_>, b: &super::super::Type<'_>) -> bool {
         (Bool, Bool) | (Ticks, Ticks) | (Number, Number) => true,
         (User(a), User(b)) => std::ptr::eq(*a, *b),
         _ => false,
-    }
-}
-
-fn renamed(statements: &mut [Statement<'_>], from: PlaceId, to: PlaceId) {
-    for statement in statements {
-        if let Statement::Set(place, _) = statement {
-            if *place == from {
-                *place = to;
-            }
-        }
-        for block in blocks_mut(statement) {
-            renamed(block, from, to);
-        }
     }
 }

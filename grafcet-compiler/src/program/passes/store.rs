@@ -17,9 +17,10 @@
 //! (Laundry 792 -> 866 bytes, 24.5 -> 26.7 instructions).
 
 use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
+use super::edits::rename;
 use super::many::complete;
 use super::split::merged;
-use super::uses::{Effects, replaced, rewrite};
+use super::uses::Effects;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let Some(at) = program.cycle.iter().position(|statement| writes_state(program, statement)) else { return };
@@ -41,16 +42,12 @@ pub(super) fn pass(program: &mut Program<'_>) {
     for arm in arms.iter_mut() {
         own(arm, state, after);
     }
-    renamed(&mut program.cycle[at + 1..], state, after);
+    // Statements after look at the local.
+    rename(&mut program.cycle[at + 1..], state, after);
     program.cycle[at] = decides;
     program.cycle.insert(at + 1, Statement::Set(state, Expr::Place(after)));
-    program.places.push(PlaceInfo {
-        name: "after".to_owned(),
-        role: Role::Local,
-        ty: program.places[state.0].ty,
-        initial: program.places[state.0].initial,
-        is_field: false,
-    });
+    let PlaceInfo { ty, initial, .. } = program.places[state.0];
+    program.places.push(PlaceInfo::local("after".to_owned(), ty, initial));
 }
 
 /// A match on the state of a region that decides which one is next.
@@ -98,40 +95,6 @@ fn rewrite_sets(body: &mut [Statement<'_>], of: PlaceId, new: &dyn Fn(&Expr<'_>)
             Statement::If(_, then, otherwise) => {
                 rewrite_sets(then, of, new);
                 rewrite_sets(otherwise, of, new);
-            }
-            _ => {}
-        }
-    }
-}
-
-/// Statements after look at the local.
-fn renamed(following: &mut [Statement<'_>], state: PlaceId, after: PlaceId) {
-    rewrite(following, &mut |expr| {
-        replaced(expr, &|leaf| match leaf {
-            Expr::Place(place) if *place == state => Some(Expr::Place(after)),
-            Expr::Is(place, steps) if *place == state => Some(Expr::Is(after, steps.clone())),
-            _ => None,
-        })
-    });
-    matches_renamed(following, state, after);
-}
-
-fn matches_renamed(statements: &mut [Statement<'_>], state: PlaceId, after: PlaceId) {
-    for statement in statements {
-        match statement {
-            Statement::Part(_, body) | Statement::Loop { body, .. } => matches_renamed(body, state, after),
-            Statement::If(_, then, otherwise) => {
-                matches_renamed(then, state, after);
-                matches_renamed(otherwise, state, after);
-            }
-            Statement::Match(place, arms, otherwise) => {
-                if *place == state {
-                    *place = after;
-                }
-                for (_, body) in arms {
-                    matches_renamed(body, state, after);
-                }
-                matches_renamed(otherwise, state, after);
             }
             _ => {}
         }

@@ -18,8 +18,9 @@
 //! stands after.
 
 use super::super::{Expr, PlaceId, Program, Role, Statement};
+use super::edits::{replaced, rewrite};
 use super::search::opened;
-use super::uses::{Effects, each_read, is_pure, replaced, rewrite};
+use super::uses::{Effects, each_read, is_pure};
 use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {

@@ -15,11 +15,12 @@
 //! Needs: what the output holds in each state is known, by `split` or here, where a search goes through them; and nothing asks for it.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::edits::unset;
 use super::engine::{End, Fact, Tree};
 use super::fold::initial;
 use super::sparse::States;
 use super::split::each_leaf;
-use super::uses::{Effects, blocks, each_read, mentions, reads_from, unset};
+use super::uses::{Effects, blocks, each_read, mentions, reads_from};
 use crate::sorted::{Map, Set};
 
 /// The trees know at the end of each way what the fields hold.

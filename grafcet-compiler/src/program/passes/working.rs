@@ -19,8 +19,9 @@
 
 use super::super::build::yes;
 use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
+use super::edits::{blocks_mut, remove, rename};
 use super::tables::goes_by_table;
-use super::uses::{blocks, blocks_mut, is_written_in, replaced, rewrite, same, same_statement, writes_to};
+use super::uses::{blocks, is_written_in, same, same_statement, writes_to};
 
 /// From so many states on one takes two bytes.
 const BYTE: usize = 256;
@@ -45,7 +46,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let mut front = vec![Statement::Set(now, Expr::Place(state))];
     if let Some(stable) = program.places.iter().position(|place| place.role == Role::Stable).map(PlaceId) {
         if falls_last(body, stable) {
-            without_rise(body, stable);
+            remove(body, &|one| matches!(one, Statement::Set(set, Expr::Value(Value::Bool(true))) if *set == stable));
             stored.push(Statement::Set(stable, yes()));
             front.extend(stored.iter().cloned());
         }
@@ -67,7 +68,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
 fn local(program: &mut Program<'_>, of: PlaceId) -> PlaceId {
     let PlaceInfo { name, ty, initial, .. } = &program.places[of.0];
     let (name, ty, initial) = (format!("now.{name}"), *ty, *initial);
-    program.places.push(PlaceInfo { name, role: Role::Local, ty, initial, is_field: false });
+    program.places.push(PlaceInfo::local(name, ty, initial));
     PlaceId(program.places.len() - 1)
 }
 
@@ -154,39 +155,4 @@ fn falls_last(statements: &[Statement<'_>], place: PlaceId) -> bool {
         };
     }
     falls
-}
-
-fn without_rise(statements: &mut Vec<Statement<'_>>, place: PlaceId) {
-    let rises =
-        |one: &Statement<'_>| matches!(one, Statement::Set(set, Expr::Value(Value::Bool(true))) if *set == place);
-    statements.retain_mut(|one| {
-        for block in blocks_mut(one) {
-            without_rise(block, place);
-        }
-        !rises(one)
-    });
-}
-
-/// Another place in all statements.
-pub(super) fn rename<'m>(statements: &mut [Statement<'m>], from: PlaceId, to: PlaceId) {
-    let leaf = |expr: &Expr<'m>| match expr {
-        Expr::Place(place) if *place == from => Some(Expr::Place(to)),
-        Expr::Is(place, steps) if *place == from => Some(Expr::Is(to, steps.clone())),
-        Expr::Table(place, table) if *place == from => Some(Expr::Table(to, table.clone())),
-        _ => None,
-    };
-    rewrite(statements, &mut |expr| replaced(expr, &leaf));
-    targets(statements, from, to);
-}
-
-fn targets(statements: &mut [Statement<'_>], from: PlaceId, to: PlaceId) {
-    for statement in statements {
-        match statement {
-            Statement::Set(place, _) | Statement::Match(place, ..) if *place == from => *place = to,
-            _ => {}
-        }
-        for block in blocks_mut(statement) {
-            targets(block, from, to);
-        }
-    }
 }

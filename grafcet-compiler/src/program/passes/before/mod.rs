@@ -25,8 +25,9 @@ use entries::Entries;
 
 use super::super::build::{all, choose, compare, not};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::edits::{blocks_mut, remove, replaced};
 use super::fold::initial;
-use super::uses::{Effects, blocks, blocks_mut, mentions, reads_from, replaced, same};
+use super::uses::{Effects, has, mentions, reads_from, same};
 use crate::model::StepId;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -89,7 +90,8 @@ impl Before {
             let passed = program.place(Role::Passed(number));
             let outlasted = passed.map_or_else(Vec::new, |passed| outlasted(program, state, passed));
             let none = Value::Step(None);
-            let can_be_empty = initial(&program.places[state.0]) == Some(none) || is_set(&program.cycle, state, none);
+            let empties = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Value(to)) if *place == state && *to == none);
+            let can_be_empty = initial(&program.places[state.0]) == Some(none) || has(&program.cycle, &empties);
             regions.push(Region { number, state, since, passed, outlasted, before: state, mark: none, can_be_empty });
         }
         let reads = Effects::of_all(&program.cycle).reads;
@@ -176,9 +178,10 @@ impl Before {
         let PlaceInfo { name, initial, .. } = &program.places[region.state.0];
         let (name, initial) = (format!("was.{name}"), *initial);
         let ty = Type::State(region.number);
-        program.places.push(PlaceInfo { name, role: Role::Local, ty, initial, is_field: false });
+        program.places.push(PlaceInfo::local(name, ty, initial));
         let was = PlaceId(program.places.len() - 1);
-        without_begin(std::slice::from_mut(&mut cycle[at]), region.since);
+        let is_begin = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Now) if *place == region.since);
+        blocks_mut(&mut cycle[at]).into_iter().for_each(|block| remove(block, &is_begin));
         let goes = compare(Comparison::Differs, Expr::Place(was), Expr::Place(region.state));
         let begins = Statement::If(goes, vec![Statement::Set(region.since, Expr::Now)], Vec::new());
         cycle.insert(at + 1, begins);
@@ -304,21 +307,4 @@ fn asks_after(statements: &[Statement<'_>], since: PlaceId, begun: &mut bool) ->
         }
     }
     asks
-}
-
-fn is_set(statements: &[Statement<'_>], state: PlaceId, value: Value) -> bool {
-    let sets = |one: &Statement<'_>| {
-        matches!(one, Statement::Set(place, Expr::Value(to)) if *place == state && *to == value)
-            || blocks(one).into_iter().any(|block| is_set(block, state, value))
-    };
-    statements.iter().any(sets)
-}
-
-fn without_begin(statements: &mut [Statement<'_>], since: PlaceId) {
-    for statement in statements {
-        for block in blocks_mut(statement) {
-            block.retain(|one| !matches!(one, Statement::Set(place, Expr::Now) if *place == since));
-            without_begin(block, since);
-        }
-    }
 }

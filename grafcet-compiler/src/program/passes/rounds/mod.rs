@@ -28,7 +28,7 @@ mod owners;
 mod turn;
 
 use super::super::build::{differ, no, not};
-use super::super::{Expr, Initial, Meeting, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::super::{Expr, Meeting, PlaceId, PlaceInfo, Program, Role, Statement, Value};
 use super::dead::read_after;
 use super::engine::Fact;
 use super::flat::flat;
@@ -36,7 +36,7 @@ use super::fold::initial;
 use super::live::{Live, Places};
 use super::search::opened;
 use super::several::{Env, Several};
-use super::uses::{Effects, leaves, same};
+use super::uses::{Effects, has, leaves, same};
 
 use meetings::meetings;
 use turn::{Free, Turn};
@@ -170,7 +170,7 @@ impl<'m> Cycle<'m> {
             }
             let mut again = false;
             for (full, state) in full.iter_mut().zip(&last.states) {
-                if *full && empties(&turn, *state) {
+                if *full && has(&turn, &|one| empties(one, *state)) {
                     *full = false;
                     again = true;
                 }
@@ -201,8 +201,7 @@ impl<'m> Cycle<'m> {
 
 fn local(places: &mut Vec<PlaceInfo<'_>>, name: &str) -> PlaceId {
     let place = PlaceId(places.len());
-    let (name, off) = (format!("{name}.{}", place.0), Initial::Value(Value::Bool(false)));
-    places.push(PlaceInfo { name, role: Role::Local, ty: Type::Bool, initial: off, is_field: false });
+    places.push(PlaceInfo::truth(format!("{name}.{}", place.0)));
     place
 }
 
@@ -248,14 +247,6 @@ fn is_nothing_where_all_rests(statement: &Statement<'_>, changes: &[Expr<'_>]) -
 }
 
 /// Whether a region may be left without a step.
-fn empties(statements: &[Statement<'_>], state: PlaceId) -> bool {
-    statements.iter().any(|statement| match statement {
-        Statement::Set(place, value) => *place == state && !matches!(value, Expr::Value(Value::Step(Some(_)))),
-        Statement::If(_, then, otherwise) => empties(then, state) || empties(otherwise, state),
-        Statement::Match(_, arms, otherwise) => {
-            arms.iter().any(|(_, body)| empties(body, state)) || empties(otherwise, state)
-        }
-        Statement::Part(_, body) | Statement::Loop { body, .. } => empties(body, state),
-        _ => false,
-    })
+fn empties(statement: &Statement<'_>, state: PlaceId) -> bool {
+    matches!(statement, Statement::Set(place, value) if *place == state && !matches!(value, Expr::Value(Value::Step(Some(_)))))
 }

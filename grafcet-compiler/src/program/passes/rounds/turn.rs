@@ -3,12 +3,13 @@
 
 use std::cell::Cell;
 
+use super::super::edits::unset;
 use super::super::engine::{End, Fact, Tree};
 use super::super::parts::{Part, cut, gathers};
 use super::super::search::settle;
 use super::super::several::{Env, Several, Tie};
 use super::super::split::merged;
-use super::super::uses::{Effects, first_of, is_pure, is_written_in, reads_from, same_block, unset};
+use super::super::uses::{Effects, first_of, is_pure, is_written_in, reads_from, same_block};
 use super::after::{After, Unit};
 use super::owners::owners;
 use crate::list::List;

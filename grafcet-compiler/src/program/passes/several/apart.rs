@@ -20,8 +20,8 @@
 use super::{Env, Several, evolve};
 use crate::list::List;
 use crate::program::build::no;
+use crate::program::passes::edits::rename;
 use crate::program::passes::uses::{Effects, reads_from};
-use crate::program::passes::working::rename;
 use crate::program::{Expr, Fence, PlaceId, Program, Statement, Value};
 use crate::sorted::Set;
 

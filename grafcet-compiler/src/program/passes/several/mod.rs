@@ -69,8 +69,7 @@ fn evolve(program: &mut Program<'_>, actions: Actions) -> bool {
     });
     let was_first = PlaceId(places.len());
     if actions != Actions::OnTheirWays {
-        let (name, off) = ("was.first".to_owned(), Initial::Value(Value::Bool(false)));
-        places.push(PlaceInfo { name, role: Role::Local, ty: Type::Bool, initial: off, is_field: false });
+        places.push(PlaceInfo::truth("was.first".to_owned()));
     }
     program.places = places;
     match Several::of(program).and_then(|several| several.cycle(&list, (actions, was_first))) {

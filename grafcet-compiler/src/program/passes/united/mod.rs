@@ -23,7 +23,8 @@ mod walk;
 use super::super::united::United;
 use super::super::{Initial, Meeting, PlaceId, Program, Role, Statement, Type, Value};
 use super::dead::drop_places;
-use super::uses::{Effects, blocks_mut};
+use super::edits::remove;
+use super::uses::Effects;
 use crate::model::{Id, StepId};
 use crate::sorted::{Map, Set, sort_by_key, sort_unstable};
 
@@ -137,7 +138,7 @@ impl Group {
         let read = Effects::of_all(&program.cycle).reads;
         let unread: Vec<PlaceId> =
             self.copies.iter().map(|(copy, _)| *copy).filter(|copy| !read.contains(copy)).collect();
-        without(&mut program.cycle, &unread);
+        remove(&mut program.cycle, &|one| matches!(one, Statement::Set(place, _) if unread.contains(place)));
         super::without_empty(&mut program.cycle);
         if let Some(mut deadline) = program.deadline.take() {
             let walk = JointWalk::of(self, program, Some(names));
@@ -174,13 +175,6 @@ impl Group {
 }
 
 /// Of several copies that tell the same, those that nobody reads any more are not made.
-fn without(statements: &mut Vec<Statement<'_>>, unread: &[PlaceId]) {
-    for block in statements.iter_mut().flat_map(blocks_mut) {
-        without(block, unread);
-    }
-    statements.retain(|one| !matches!(one, Statement::Set(place, _) if unread.contains(place)));
-}
-
 /// The states that regions may have at the same time, if there are no more than so many and one in which none of them has a step.
 fn together(
     program: &Program<'_>,

@@ -4,7 +4,8 @@ mod asked;
 mod copied;
 
 use super::super::super::{Arm, Comparison, Expr, PlaceId, Program, Statement, Value};
-use super::super::uses::{Effects, is_pure, rewrite, writes_to};
+use super::super::edits::rewrite;
+use super::super::uses::{Effects, is_pure, writes_to};
 use super::{Group, Joint, Names};
 use crate::sorted::Set;
 use copied::Copied;

@@ -21,10 +21,11 @@ mod order;
 mod sorted;
 mod told;
 
+use super::super::edits::{replaced, rewrite};
 use super::super::engine::Fact;
 use super::super::fold::excludes;
 use super::super::parts::Part;
-use super::super::uses::{Effects, replaced, rewrite};
+use super::super::uses::Effects;
 use super::{Env, Several};
 use crate::model::StepId;
 use crate::program::build::no;

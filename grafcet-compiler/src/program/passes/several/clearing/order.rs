@@ -7,9 +7,9 @@ use super::sorted::denied;
 use super::{Asking, Clearing, Told, parts};
 use crate::model::StepId;
 use crate::program::build::{all, yes};
+use crate::program::passes::edits::replaced;
 use crate::program::passes::fold::{Known, excludes};
 use crate::program::passes::split::merged;
-use crate::program::passes::uses::replaced;
 use crate::program::{Expr, PlaceId, Statement, Value};
 use crate::sorted::Set;
 

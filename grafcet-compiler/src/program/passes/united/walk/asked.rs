@@ -2,8 +2,9 @@
 
 use super::super::super::super::build::{any, compare, not, yes};
 use super::super::super::super::{Comparison, Expr, PlaceId, Value};
+use super::super::super::edits::replaced;
 use super::super::super::fold::Known;
-use super::super::super::uses::{each_read, replaced};
+use super::super::super::uses::each_read;
 use super::super::Joint;
 use super::{JointWalk, Point};
 use crate::model::StepId;
