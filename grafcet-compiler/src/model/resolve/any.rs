@@ -1,20 +1,19 @@
 //! `any -[stop]-> Stopped;`: a transition from every step of a net, before all others.
 
 use quote::ToTokens;
-use syn::{BinOp, UnOp};
 
 use super::Resolver;
 use super::blink::Owner;
 use super::chains::End;
+use super::composed::{and, not, or_in_rust};
 use super::exclusion;
 use super::expr;
 use super::scope::Meaning;
 use crate::ast::{self, Arrow, Condition, Item, Node, StepKind};
 use crate::diagnostic::{Mark, rules};
-use crate::list::{List, PushAll};
+use crate::list::List;
 use crate::model::{
-    Any, AnyId, Binary, Expr, ForceOrder, Id, PartialId, Read, StepId, Transition, TransitionId, Tree, Unary,
-    placeholder,
+    Any, AnyId, Binary, Expr, ForceOrder, Id, PartialId, Read, StepId, Transition, TransitionId, Tree, placeholder,
 };
 use crate::place::{self, quote};
 use crate::sorted::{Set, sort};
@@ -202,9 +201,9 @@ impl Resolver<'_> {
                     condition.clone()
                 } else {
                     let Some(activity) = &activity else { continue };
-                    both(&condition, activity.clone())
+                    and(condition.clone(), activity.clone())
                 };
-                let guarded = both(&self.model.transitions[other].condition, not(guard));
+                let guarded = and(self.model.transitions[other].condition.clone(), not(guard));
                 let transition = &mut self.model.transitions[other];
                 transition.condition = guarded;
                 transition.guards.push(id);
@@ -264,30 +263,6 @@ impl Resolver<'_> {
     }
 }
 
-/// `a && b`, shown as `a`.
-fn both(a: &Expr, b: Expr) -> Expr {
-    let tokens = syn::Expr::Binary(syn::ExprBinary {
-        attrs: Vec::new(),
-        left: Box::new(in_parens(a.tokens.clone())),
-        op: BinOp::And(syn::token::AndAnd { spans: [place::mixed(); 2] }),
-        right: Box::new(in_parens(b.tokens)),
-    });
-    let mut reads = a.reads.clone();
-    reads.push_all(b.reads.into_iter().filter(|read| !a.reads.contains(read)));
-    let tree = Tree::Binary(Binary::And, Box::new(a.tree.clone()), Box::new(b.tree));
-    Expr { tree, tokens, reads, text: a.text.clone(), mark: a.mark }
-}
-
-/// `!a`
-fn not(a: Expr) -> Expr {
-    let tokens = syn::Expr::Unary(syn::ExprUnary {
-        attrs: Vec::new(),
-        op: UnOp::Not(syn::token::Not { spans: [place::mixed()] }),
-        expr: Box::new(in_parens(a.tokens)),
-    });
-    Expr { tree: Tree::Unary(Unary::Not, Box::new(a.tree)), tokens, ..a }
-}
-
 /// Whether one of the steps is active. Halves, so that a long list lies not deep.
 fn active(steps: &[StepId], mark: Mark) -> Expr {
     let (tree, tokens, reads) = match steps {
@@ -300,30 +275,10 @@ fn active(steps: &[StepId], mark: Mark) -> Expr {
         _ => {
             let (left, right) = steps.split_at(steps.len() / 2);
             let (left, right) = (active(left, mark), active(right, mark));
-            let tokens = syn::Expr::Binary(syn::ExprBinary {
-                attrs: Vec::new(),
-                left: Box::new(left.tokens),
-                op: BinOp::Or(syn::token::OrOr { spans: [place::mixed(); 2] }),
-                right: Box::new(right.tokens),
-            });
+            let tokens = or_in_rust(left.tokens, right.tokens);
             let tree = Tree::Binary(Binary::Or, Box::new(left.tree), Box::new(right.tree));
             (tree, tokens, left.reads.into_iter().and(right.reads).list())
         }
     };
     Expr { tree, tokens, reads, text: String::new(), mark }
-}
-
-fn in_parens(expr: syn::Expr) -> syn::Expr {
-    let simple = matches!(
-        expr,
-        syn::Expr::Path(_) | syn::Expr::Paren(_) | syn::Expr::Call(_) | syn::Expr::MethodCall(_) | syn::Expr::Field(_)
-    );
-    if simple {
-        return expr;
-    }
-    syn::Expr::Paren(syn::ExprParen {
-        attrs: Vec::new(),
-        paren_token: syn::token::Paren::default(),
-        expr: Box::new(expr),
-    })
 }

@@ -7,6 +7,7 @@ mod any;
 mod blink;
 mod chains;
 mod code;
+mod composed;
 mod computed;
 mod declare;
 mod delay;

@@ -8,14 +8,14 @@ use quote::ToTokens;
 use syn::{parse_quote, parse_quote_spanned};
 
 use super::Resolver;
+use super::composed::{and, not, or};
 use super::declare::Where;
-use super::otherwise::in_parentheses;
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::{List, PushAll};
+use crate::list::List;
 use crate::model::{
-    Assumption, Binary, Edge, EdgeId, Expr, Id, Input, InputId, Modes, Name, PartialId, Read, StepId, Transition,
-    TransitionId, Tree, Ty, Unary, placeholder,
+    Assumption, Edge, EdgeId, Expr, Id, Input, InputId, Modes, Name, PartialId, Read, StepId, Transition, TransitionId,
+    Tree, Ty, placeholder,
 };
 use crate::place;
 
@@ -102,7 +102,7 @@ impl Resolver<'_> {
         // By hand a chart comes to any situation: what is proved is about its own ways. That the button is not pushed leaves everything out that clears by
         // hand, and nothing else: what reads `manual` itself still is either.
         let make = Make { resolver: self, at: keyword.into() };
-        let mut never = make.and(make.input(manual), make.input(push));
+        let mut never = and(make.input(manual), make.input(push));
         "manual && push".clone_into(&mut never.text);
         self.model.assumptions.push(Assumption { never, mark: keyword.into(), of_range: None });
         let is_twice = self.told_twice();
@@ -165,27 +165,19 @@ impl Resolver<'_> {
         let at = transition.condition.mark;
         let make = Make { resolver: self, at };
         let (manual, own) = (make.input(modes.manual), transition.condition.clone());
-        let automatic = make.and(not(manual.clone()), not(make.input(modes.semi_automatic)));
-        let running = make.and(not(make.input(modes.paused)), make.or(make.pushed(modes.pushed), automatic));
+        let automatic = and(not(manual.clone()), not(make.input(modes.semi_automatic)));
+        let running = and(not(make.input(modes.paused)), or(make.pushed(modes.pushed), automatic));
         let condition = match self.by_hand(transition, id, held) {
-            ByHand::Never => make.and(not(manual), own),
-            ByHand::Always => make.or(manual, own),
+            ByHand::Never => and(not(manual), own),
+            ByHand::Always => or(manual, own),
             ByHand::Unless(others) => {
                 let free = others.iter().map(|steps| not(make.all(steps)));
-                let free = free.reduce(|a, b| make.and(a, b));
-                let by_hand = free.map_or(manual.clone(), |free| make.and(manual.clone(), free));
-                make.or(by_hand, make.and(not(manual), own))
+                let free = free.reduce(and);
+                let by_hand = free.map_or(manual.clone(), |free| and(manual.clone(), free));
+                or(by_hand, and(not(manual), own))
             }
         };
-        let Expr { tree, tokens, mut reads, .. } = make.and(running, condition);
-        let mut known = Vec::new();
-        reads.retain(|read| {
-            let new = !known.contains(read);
-            known.push(*read);
-            new
-        });
-        let text = transition.condition.text.clone();
-        Expr { tree, tokens, reads, text, mark: at }
+        Expr { text: transition.condition.text.clone(), mark: at, ..and(running, condition) }
     }
 
     /// By hand, of transitions that leave a step together the first in the source clears: later branches never do. In an `sfc` priority does the
@@ -247,45 +239,6 @@ impl Make<'_, '_> {
     fn all(&self, steps: &[StepId]) -> Expr {
         let mut active = steps.iter().map(|step| self.read(Read::Active(*step)));
         let first = active.next().unwrap_or_else(|| super::otherwise::always(place::mixed()));
-        active.fold(first, |a, b| self.and(a, b))
+        active.fold(first, and)
     }
-
-    fn and(&self, a: Expr, b: Expr) -> Expr {
-        let site = place::mixed();
-        self.both(a, b, Binary::And, syn::BinOp::And(syn::token::AndAnd([site, site])))
-    }
-
-    fn or(&self, a: Expr, b: Expr) -> Expr {
-        let site = place::mixed();
-        self.both(a, b, Binary::Or, syn::BinOp::Or(syn::token::OrOr([site, site])))
-    }
-
-    fn both(&self, a: Expr, b: Expr, operator: Binary, op: syn::BinOp) -> Expr {
-        let tokens = syn::Expr::Binary(syn::ExprBinary {
-            attrs: Vec::new(),
-            left: Box::new(as_operand(a.tokens)),
-            op,
-            right: Box::new(as_operand(b.tokens)),
-        });
-        let tree = Tree::Binary(operator, Box::new(a.tree), Box::new(b.tree));
-        let mut reads = a.reads;
-        reads.push_all(b.reads);
-        Expr { tree, tokens, reads, text: String::new(), mark: self.at }
-    }
-}
-
-/// `!a`
-fn not(a: Expr) -> Expr {
-    let tokens = syn::Expr::Unary(syn::ExprUnary {
-        attrs: Vec::new(),
-        op: syn::UnOp::Not(syn::token::Not(place::mixed())),
-        expr: Box::new(as_operand(a.tokens)),
-    });
-    Expr { tree: Tree::Unary(Unary::Not, Box::new(a.tree)), tokens, ..a }
-}
-
-/// In parentheses, where it is no single word.
-fn as_operand(expr: syn::Expr) -> syn::Expr {
-    let is_term = matches!(expr, syn::Expr::Path(_) | syn::Expr::Paren(_) | syn::Expr::Verbatim(_) | syn::Expr::Lit(_));
-    if is_term { expr } else { in_parentheses(expr) }
 }

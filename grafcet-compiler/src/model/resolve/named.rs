@@ -6,9 +6,9 @@ use quote::ToTokens;
 
 use super::Resolver;
 use super::blink::Owner;
+use super::composed::operand;
 use super::declare::first_paragraph;
 use super::expr::{Lower, Seen, resolve_named, single_name};
-use super::otherwise::in_parentheses;
 use super::scope::{Meaning, spelled};
 use crate::ast;
 use crate::diagnostic::Mark;
@@ -237,7 +237,7 @@ impl Lower<'_, '_> {
     pub(super) fn put_in_place(&mut self, expr: &mut syn::Expr, name: &Ident, id: LetId) -> Tree {
         match self.expression_of(name, id) {
             Some(named) => {
-                *expr = term(named.tokens);
+                *expr = operand(named.tokens);
                 named.tree
             }
             None => Tree::Bool(true),
@@ -314,13 +314,4 @@ impl Lower<'_, '_> {
         }
         Some(named)
     }
-}
-
-/// An expression that means the same beside any operator.
-fn term(expr: syn::Expr) -> syn::Expr {
-    use syn::Expr::{Call, Lit, Macro, Paren, Path, Verbatim};
-    if matches!(expr, Call(_) | Lit(_) | Macro(_) | Paren(_) | Path(_) | Verbatim(_)) {
-        return expr;
-    }
-    in_parentheses(expr)
 }

@@ -3,6 +3,7 @@
 use proc_macro2::Span;
 
 use super::Resolver;
+use super::composed::{and_in_rust, in_parentheses, negated};
 use crate::list::List;
 use crate::model::{Binary, Expr, Read, StepId, TransitionId, Tree, Unary};
 use crate::place;
@@ -123,36 +124,16 @@ fn none(conditions: &[&Expr]) -> Tree {
 fn none_in_rust(conditions: &[&Expr]) -> syn::Expr {
     match conditions {
         [] => literal_true(place::mixed()),
-        [one] => negated(&one.tokens),
+        [one] => negated(one.tokens.clone()),
         _ => {
-            let site = place::mixed();
             let (left, right) = conditions.split_at(conditions.len() / 2);
             let half = |part: &[&Expr]| {
                 let inner = none_in_rust(part);
-                Box::new(if part.len() > 1 { in_parentheses(inner) } else { inner })
+                if part.len() > 1 { in_parentheses(inner) } else { inner }
             };
-            syn::Expr::Binary(syn::ExprBinary {
-                attrs: Vec::new(),
-                left: half(left),
-                op: syn::BinOp::And(syn::token::AndAnd([site, site])),
-                right: half(right),
-            })
+            and_in_rust(half(left), half(right))
         }
     }
-}
-
-/// `!a`, `!(a && b)`
-fn negated(expr: &syn::Expr) -> syn::Expr {
-    let is_term = matches!(expr, syn::Expr::Path(_) | syn::Expr::Paren(_) | syn::Expr::Verbatim(_) | syn::Expr::Lit(_));
-    let operand = if is_term { expr.clone() } else { in_parentheses(expr.clone()) };
-    let not = syn::UnOp::Not(syn::token::Not(place::mixed()));
-    syn::Expr::Unary(syn::ExprUnary { attrs: Vec::new(), op: not, expr: Box::new(operand) })
-}
-
-/// Located nowhere, so that nobody takes the parentheses for the user's.
-pub(super) fn in_parentheses(expr: syn::Expr) -> syn::Expr {
-    let paren_token = syn::token::Paren(place::mixed());
-    syn::Expr::Paren(syn::ExprParen { attrs: Vec::new(), paren_token, expr: Box::new(expr) })
 }
 
 fn literal_true(span: Span) -> syn::Expr {
