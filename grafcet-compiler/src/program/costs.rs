@@ -1,5 +1,6 @@
 //! What cost decides and no statement says: who prints a program as Rust asks for it.
 
+use super::uses::sum;
 use super::{Expr, Program, Statement, Value};
 use crate::sorted::Map;
 
@@ -65,18 +66,12 @@ impl Program<'_> {
 
 /// About how long the code of statements is, in statements that set a place.
 fn length(statements: &[Statement<'_>]) -> usize {
-    let mut all = 0;
-    for statement in statements {
-        all += match statement {
-            Statement::If(condition, then, otherwise) => questions(condition) + length(then) + length(otherwise),
-            Statement::Part(_, body) | Statement::Loop { body, .. } => length(body),
-            Statement::Match(_, arms, otherwise) => {
-                MATCH + arms.iter().map(|(_, body)| length(body)).sum::<usize>() + length(otherwise)
-            }
-            _ => 1,
-        };
-    }
-    all
+    sum(statements, &|statement| match statement {
+        Statement::If(condition, ..) => questions(condition),
+        Statement::Part(..) | Statement::Loop { .. } => 0,
+        Statement::Match(..) => MATCH,
+        _ => 1,
+    })
 }
 
 /// How many things a condition asks for.

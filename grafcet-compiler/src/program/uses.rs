@@ -51,6 +51,16 @@ pub(crate) fn mentions(expr: &Expr<'_>, place: PlaceId) -> bool {
     found
 }
 
+/// What is counted in each statement itself, of all of them.
+pub(crate) fn sum(statements: &[Statement<'_>], own: &dyn Fn(&Statement<'_>) -> usize) -> usize {
+    let mut all = 0;
+    for statement in statements {
+        all += own(statement);
+        each_block(statement, &mut |block| all += sum(block, own));
+    }
+    all
+}
+
 /// Each expression that a statement has itself, without the blocks within it.
 pub(crate) fn each_expr<'s, 'm>(statement: &'s Statement<'m>, each: &mut dyn FnMut(&'s Expr<'m>)) {
     match statement {

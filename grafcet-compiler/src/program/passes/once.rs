@@ -23,7 +23,7 @@ use super::super::build::{all, any, no, not, yes};
 use super::super::costs::questions;
 use super::super::{Comparison, Expr, PlaceId, Program, Statement, Value};
 use super::fold::negated;
-use super::uses::{blocks, each_read, each_written, is_plain, is_pure, mentions, same, same_block};
+use super::uses::{blocks, each_read, each_written, is_plain, is_pure, mentions, same, same_block, sum};
 use crate::list::PushAll;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -330,16 +330,10 @@ fn known<'m>(expr: &Expr<'m>, learned: &Learned<'m>) -> Expr<'m> {
 
 /// How much there is to ask and to do.
 pub(super) fn size(statements: &[Statement<'_>]) -> usize {
-    let mut all = 0;
-    for statement in statements {
-        all += match statement {
-            Statement::If(condition, then, otherwise) => questions(condition) + size(then) + size(otherwise),
-            Statement::Part(_, body) | Statement::Loop { body, .. } => size(body),
-            Statement::Match(_, arms, otherwise) => {
-                arms.iter().map(|(_, body)| 1 + size(body)).sum::<usize>() + size(otherwise)
-            }
-            _ => 1,
-        };
-    }
-    all
+    sum(statements, &|statement| match statement {
+        Statement::If(condition, ..) => questions(condition),
+        Statement::Part(..) | Statement::Loop { .. } => 0,
+        Statement::Match(_, arms, _) => arms.len(),
+        _ => 1,
+    })
 }

@@ -27,7 +27,7 @@ use super::super::build::{any, yes};
 use super::super::{Expr, PlaceId, Program, Role, Statement, Value};
 use super::edits::{blocks_mut, unset};
 use super::fold::initial;
-use super::uses::{Effects, blocks, is_plain, mentions, writes_to};
+use super::uses::{Effects, blocks, is_plain, mentions, sum, writes_to};
 
 /// From so many places that set it on it pays.
 const PLACES: usize = 3;
@@ -126,14 +126,7 @@ fn find(program: &Program<'_>, statements: &[Statement<'_>], pairs: &mut Vec<(Pl
 }
 
 fn count(statements: &[Statement<'_>], output: PlaceId) -> usize {
-    let mut found = 0;
-    for statement in statements {
-        found += usize::from(matches!(statement, Statement::Set(place, _) if *place == output));
-        for block in blocks(statement) {
-            found += count(block, output);
-        }
-    }
-    found
+    sum(statements, &|statement| usize::from(matches!(statement, Statement::Set(place, _) if *place == output)))
 }
 
 /// What one of them holds.

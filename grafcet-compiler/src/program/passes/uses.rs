@@ -4,7 +4,7 @@ use super::super::{Arm, Expr, PlaceId, Statement, User, Write};
 use crate::sorted::Set;
 
 pub(super) use super::super::uses::{
-    each_asked, each_read, each_written, is_read_in, is_written_in, mentions, reads_from, writes_to,
+    each_asked, each_read, each_written, is_read_in, is_written_in, mentions, reads_from, sum, writes_to,
 };
 
 /// Whether it can be asked once more, once less or at another time: no call in it answers differently each time.

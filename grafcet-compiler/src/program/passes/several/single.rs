@@ -7,7 +7,7 @@ use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
-use super::super::uses::{Effects, each_asked, each_read, each_written, first_of, is_pure, writes_to};
+use super::super::uses::{Effects, each_asked, each_read, each_written, first_of, is_pure, sum, writes_to};
 use super::{Env, Several, Tie};
 use crate::list::List;
 use crate::model::{Id, StepId};
@@ -328,16 +328,8 @@ pub(super) fn evolution(state: PlaceId, arms: Vec<(Value, Tree<'_>)>) -> Stateme
 
 /// How many statements there are.
 pub(in super::super) fn weight(statements: &[Statement<'_>]) -> usize {
-    let mut sum = 0;
-    for statement in statements {
-        sum += match statement {
-            Statement::Part(_, body) | Statement::Loop { body, .. } => weight(body),
-            Statement::If(_, then, otherwise) => 1 + weight(then) + weight(otherwise),
-            Statement::Match(_, arms, otherwise) => {
-                arms.iter().map(|(_, body)| weight(body)).sum::<usize>() + weight(otherwise)
-            }
-            _ => 1,
-        };
-    }
-    sum
+    sum(statements, &|statement| match statement {
+        Statement::Part(..) | Statement::Loop { .. } | Statement::Match(..) => 0,
+        _ => 1,
+    })
 }
