@@ -1,10 +1,10 @@
 //! A model as data that can be drawn: the same description that a program finds in `Motor::CHART`.
 
 use grafcet_core::description::{self, Description};
-use proc_macro2::Ident;
 
 use crate::list::List;
 use crate::model::{Dialect, Effect, ForceOrder, Id, Model, PartialId, StepId, TimeRef, Transition};
+use crate::raw::plain;
 
 /// Calls `f` with the description of a chart.
 pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R) -> R {
@@ -207,11 +207,6 @@ fn order(model: &Model, order: &ForceOrder) -> String {
         ForceOrder::Hold => "*".to_owned(),
         ForceOrder::Init => "INIT".to_owned(),
     }
-}
-
-/// A name without the mark of a raw identifier.
-fn plain(name: &Ident) -> String {
-    name.to_string().trim_start_matches("r#").to_owned()
 }
 
 fn numbers(steps: &[StepId]) -> Vec<usize> {

@@ -22,6 +22,7 @@ pub mod plant;
 pub mod program;
 mod qualifier;
 mod quoted;
+mod raw;
 mod similar;
 pub mod sorted;
 mod visit;

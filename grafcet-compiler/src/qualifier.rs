@@ -82,7 +82,7 @@ impl Qualifier {
 
     /// The qualifier that is written in letters so; `on` is a form of its own.
     #[must_use]
-    pub fn of_letters(word: &str) -> Option<Self> {
+    pub(crate) fn of_letters(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|qualifier| *qualifier != Self::On && qualifier.word() == word)
     }
 
@@ -122,7 +122,7 @@ impl Qualifier {
 
     /// Whether it acts while its step is active at most, and nothing of it stays: N, L, D and the pulse of P.
     #[must_use]
-    pub const fn shows_with_its_step(self) -> bool {
+    pub(crate) const fn shows_with_its_step(self) -> bool {
         self.drives_q() && !self.has_flip_flop()
     }
 
@@ -170,7 +170,7 @@ impl Qualifier {
 
     /// Whether a `grafcet` acts at an instant under it (IEC 60848, stored action): S, R, P1, P0, `on`.
     #[must_use]
-    pub const fn is_stored_action(self) -> bool {
+    pub(crate) const fn is_stored_action(self) -> bool {
         self.sets_or_resets() || self.runs_once()
     }
 

@@ -3,10 +3,11 @@
 use proc_macro2::Ident;
 
 use crate::list::List;
+use crate::raw::plain;
 
 /// The name that was meant, where one is near enough. `S5` is not a slip of the pen for `S1`.
 pub(crate) fn nearest<'n>(name: &Ident, candidates: &[&'n Ident]) -> Option<&'n Ident> {
-    let plain = |name: &Ident| name.to_string().trim_start_matches("r#").to_lowercase();
+    let plain = |name: &Ident| plain(name).to_lowercase();
     let lower = plain(name);
     // Half of a name is nearer than it looks by its letters.
     let begun = |candidate: &&&Ident| {

@@ -16,12 +16,6 @@ impl Lit {
         Self(u32::try_from(node).unwrap_or(u32::MAX / 2) << 1)
     }
 
-    /// By its number in AIGER.
-    #[must_use]
-    pub fn from_code(code: u32) -> Self {
-        Self(code)
-    }
-
     /// Its number in AIGER.
     #[must_use]
     pub fn code(self) -> u32 {
@@ -34,7 +28,7 @@ impl Lit {
     }
 
     #[must_use]
-    pub fn is_negated(self) -> bool {
+    pub(crate) fn is_negated(self) -> bool {
         self.0 & 1 == 1
     }
 
@@ -192,7 +186,7 @@ impl Aig {
         self.or(one, other)
     }
 
-    pub fn iff(&mut self, a: Lit, b: Lit) -> Lit {
+    pub(crate) fn iff(&mut self, a: Lit, b: Lit) -> Lit {
         !self.xor(a, b)
     }
 
@@ -222,7 +216,7 @@ impl Aig {
 
     /// The nodes on which some wires depend, each after its operands.
     #[must_use]
-    pub fn cone(&self, roots: &[Lit]) -> Vec<usize> {
+    pub(crate) fn cone(&self, roots: &[Lit]) -> Vec<usize> {
         let mut marked = vec![false; self.nodes.len()];
         for root in roots {
             marked[root.node()] = true;

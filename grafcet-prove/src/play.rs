@@ -114,7 +114,7 @@ pub fn passed(ticks: u32, circuit: &Circuit) -> i128 {
 
 /// The names of the bits of a wire.
 #[must_use]
-pub fn wire_name(program: &Program<'_>, wire: &Wire) -> String {
+pub(crate) fn wire_name(program: &Program<'_>, wire: &Wire) -> String {
     match &wire.source {
         Source::Input(id) => program.model.inputs[*id].name.to_string(),
         Source::Param(id) => program.model.params[*id].name.to_string(),

@@ -48,7 +48,7 @@ impl Relation {
 
     /// Everything related to all of `items` (everything there is, if there are none) and not yet to `to`, ascending.
     #[must_use]
-    pub fn common_beyond(&self, items: &[usize], to: usize) -> Vec<usize> {
+    pub(crate) fn common_beyond(&self, items: &[usize], to: usize) -> Vec<usize> {
         let mut found = Vec::new();
         for place in 0..self.words {
             each_bit(place, self.common(items, place) & !self.rows[to * self.words + place], &mut found);
@@ -59,7 +59,7 @@ impl Relation {
 
     /// What is related to all of `items` or one of them, not yet to `to`, but to that in `within`; without what is left out. Ascending.
     #[must_use]
-    pub fn new_beside(&self, items: &[usize], to: usize, within: &Self, but: &Row) -> Vec<usize> {
+    pub(crate) fn new_beside(&self, items: &[usize], to: usize, within: &Self, but: &Row) -> Vec<usize> {
         let mut found = Vec::new();
         for place in 0..self.words {
             let mut word = self.common(items, place);

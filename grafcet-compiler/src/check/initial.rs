@@ -5,7 +5,7 @@ use crate::diagnostic::Sink;
 use crate::model::{Expr, Model, Ty};
 
 /// Reports remembered values of a user's own type that state no initial value: `Default` is not `const`.
-pub fn initial_values(model: &Model, sink: &mut Sink) {
+pub(crate) fn initial_values(model: &Model, sink: &mut Sink) {
     let remembered = remembered(model);
     for (_, output) in model.outputs.iter().filter(|(id, _)| remembered.contains(id)) {
         require("output", &output.name, &output.ty, output.init.as_ref(), sink);

@@ -24,7 +24,7 @@ mod usage;
 mod vacuous;
 mod waits;
 
-pub use initial::initial_values;
+pub(crate) use initial::initial_values;
 
 use crate::analysis::explore::{Exploration, Limits};
 use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Prover, Races, Rulings, refuted};

@@ -6,6 +6,7 @@ use super::machine::Machine;
 use super::{Cx, derives, requirements, types};
 use crate::model::{Model, Ty};
 use crate::place::{self, quote};
+use crate::raw::plain;
 
 /// `name`, `Debug` and `Display` of an enum of names, whose variants are listed.
 pub(super) fn texts<'n>(
@@ -17,8 +18,7 @@ pub(super) fn texts<'n>(
     let (vis, levels) = (&model.vis, types::levels(model));
     let mut listed = TokenStream::new();
     for variant in variants {
-        let text = variant.to_string();
-        let text = text.trim_start_matches("r#");
+        let text = plain(variant);
         listed.extend(quote!(#text,));
     }
     // Of an enum without variants there is no value, and no cast.

@@ -86,7 +86,7 @@ impl Sink {
     }
 
     /// A chart of `dialect` breaks `rule`.
-    pub fn rule_in(
+    pub(crate) fn rule_in(
         &mut self,
         dialect: Dialect,
         rule: &'static Rule,
@@ -121,7 +121,7 @@ impl Sink {
 
     /// Whether something was said that breaks the rule.
     #[must_use]
-    pub fn broke(&self, rule: &Rule) -> bool {
+    pub(crate) fn broke(&self, rule: &Rule) -> bool {
         self.diagnostics.iter().any(|one| one.rule.is_some_and(|broken| broken.name == rule.name))
     }
 
@@ -141,7 +141,7 @@ impl Sink {
     /// Whether nothing so far stands in the way of looking at how the chart evolves: what is wrong with an action or with what a
     /// condition reads leaves the rest as it is drawn.
     #[must_use]
-    pub fn leaves_evolution(&self) -> bool {
+    pub(crate) fn leaves_evolution(&self) -> bool {
         let aside = [
             &rules::MIXED_MODES,
             &rules::WRONG_TARGET,
@@ -157,7 +157,7 @@ impl Sink {
     /// Whether one of the errors so far is about more than what the chart claims of itself: about what it does there is code,
     /// in which rustc may find more.
     #[must_use]
-    pub fn has_more_than_claims(&self) -> bool {
+    pub(crate) fn has_more_than_claims(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Deny && !d.is_about_a_claim())
     }
 

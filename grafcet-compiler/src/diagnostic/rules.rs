@@ -26,7 +26,7 @@ impl Rule {
 
     /// The level in force under these lint attributes, the innermost scope first.
     #[must_use]
-    pub fn severity_in(&self, dialect: Dialect, scopes: &[&[LevelAttr]]) -> Severity {
+    pub(crate) fn severity_in(&self, dialect: Dialect, scopes: &[&[LevelAttr]]) -> Severity {
         let wanted = scopes.iter().flat(|s| s.iter().rev()).find(|l| l.rule == self.name);
         let default = self.default_in(dialect);
         match wanted {
@@ -137,7 +137,7 @@ rules! {
 
 /// Why an attribute cannot set `rule` to `level`; `None` if it can.
 #[must_use]
-pub fn refuse_level(rule: &str, level: Severity) -> Option<String> {
+pub(crate) fn refuse_level(rule: &str, level: Severity) -> Option<String> {
     if let Some(known) = ALL.iter().find(|known| known.name == rule) {
         let lowered = !known.can_be_allowed && level < known.default;
         return lowered

@@ -5,7 +5,7 @@ use super::{Expr, Model, Place, Tree};
 impl Model {
     /// What the user has written there; without it a boolean begins as `false`.
     #[must_use]
-    pub fn init_of(&self, place: Place) -> Option<&Expr> {
+    pub(crate) fn init_of(&self, place: Place) -> Option<&Expr> {
         match place {
             Place::Output(id) => self.outputs[id].init.as_ref(),
             Place::Var(id) => self.vars[id].init.as_ref(),

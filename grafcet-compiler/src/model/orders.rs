@@ -4,7 +4,7 @@ use super::{Force, Model, PartialId, StepId};
 
 impl Model {
     /// The orders that a step gives, in source order.
-    pub fn orders_of(&self, step: StepId) -> impl Iterator<Item = &Force> {
+    pub(crate) fn orders_of(&self, step: StepId) -> impl Iterator<Item = &Force> {
         self.steps[step].forces.iter().map(|id| &self.forces[*id])
     }
 

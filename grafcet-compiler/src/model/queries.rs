@@ -86,13 +86,13 @@ impl Model {
 
     /// The lint attributes around a transition, the innermost first.
     #[must_use]
-    pub fn levels_of_transition<'m>(&'m self, transition: &'m Transition) -> Vec<&'m [LevelAttr]> {
+    pub(crate) fn levels_of_transition<'m>(&'m self, transition: &'m Transition) -> Vec<&'m [LevelAttr]> {
         vec![&transition.levels, &self.partials[transition.partial].levels, &self.levels]
     }
 
     /// Whether a lint attribute anywhere in the chart sets the level of a rule.
     #[must_use]
-    pub fn has_level_of(&self, rule: &Rule) -> bool {
+    pub(crate) fn has_level_of(&self, rule: &Rule) -> bool {
         let partials = self.partials.values().map(|partial| &partial.levels);
         let steps = self.steps.values().map(|step| &step.levels);
         let transitions = self.transitions.values().map(|transition| &transition.levels);
@@ -137,7 +137,7 @@ impl Model {
 
     /// The lint attributes of a declared place, without those of the chart.
     #[must_use]
-    pub fn levels_of_place(&self, place: Place) -> &[LevelAttr] {
+    pub(crate) fn levels_of_place(&self, place: Place) -> &[LevelAttr] {
         match place {
             Place::Output(id) => &self.outputs[id].levels,
             Place::Var(id) => &self.vars[id].levels,
@@ -183,7 +183,7 @@ impl Model {
 
     /// The type of a place.
     #[must_use]
-    pub fn place_ty(&self, place: Place) -> &Ty {
+    pub(crate) fn place_ty(&self, place: Place) -> &Ty {
         match place {
             Place::Output(id) => &self.outputs[id].ty,
             Place::Var(id) => &self.vars[id].ty,
@@ -205,7 +205,7 @@ impl Step {
 impl Transition {
     /// Of an `else` the other branches, if nothing but these decides about it.
     #[must_use]
-    pub fn plain_else(&self) -> Option<&Vec<TransitionId>> {
+    pub(crate) fn plain_else(&self) -> Option<&Vec<TransitionId>> {
         self.otherwise.as_ref().filter(|_| self.guards.is_empty() && self.held.is_none())
     }
 
@@ -279,7 +279,7 @@ impl Effect {
 impl Effect {
     /// If the effect acts on `place` as a continuous action can: the value it assigns, or none where it asserts.
     #[must_use]
-    pub fn continuous_value(&self, place: Place) -> Option<Option<&Tree>> {
+    pub(crate) fn continuous_value(&self, place: Place) -> Option<Option<&Tree>> {
         match self {
             Effect::Control(at) if *at == place => Some(None),
             Effect::Assign(at, value) if *at == place => Some(Some(&value.tree)),

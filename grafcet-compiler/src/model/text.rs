@@ -57,7 +57,7 @@ impl Model {
 
     /// `5s`, or the name of what holds the time.
     #[must_use]
-    pub fn time_ref_text(&self, time: TimeRef) -> String {
+    pub(crate) fn time_ref_text(&self, time: TimeRef) -> String {
         match time {
             TimeRef::Ticks(ticks) => self.time_text(i128::from(ticks)),
             TimeRef::Param(id) => self.value_name(Name::Param(id)).to_string(),
@@ -84,7 +84,7 @@ impl Model {
 
     /// `blink(700ms/300ms, Step)`
     #[must_use]
-    pub fn blink_text(&self, Blink { of, on, off }: Blink) -> String {
+    pub(crate) fn blink_text(&self, Blink { of, on, off }: Blink) -> String {
         let of = match of {
             Blinker::Step(step) => &self.steps[step].name,
             Blinker::Macro(id) => &self.macros[id].name,
@@ -99,7 +99,7 @@ impl Model {
 
     /// `Mode::Auto`, where that is what a value is compared with.
     #[must_use]
-    pub fn variant_text(&self, value: &Tree, other: &Tree) -> Option<String> {
+    pub(crate) fn variant_text(&self, value: &Tree, other: &Tree) -> Option<String> {
         let (variants, Tree::Int(place)) = (self.variants_of_tree(value)?, other) else { return None };
         let ty = variants.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         Some(format!("{ty}::{}", variants.text(*place, *place)))

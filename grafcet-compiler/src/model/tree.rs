@@ -6,7 +6,7 @@ use crate::list::List;
 impl Tree {
     /// Whether the tree holds Rust that is not looked into.
     #[must_use]
-    pub fn is_opaque(&self) -> bool {
+    pub(crate) fn is_opaque(&self) -> bool {
         match self {
             Tree::Opaque { .. } => true,
             Tree::Unary(_, inner) => inner.is_opaque(),
@@ -17,7 +17,7 @@ impl Tree {
 
     /// Whether each evaluation may have another value.
     #[must_use]
-    pub fn may_differ(&self) -> bool {
+    pub(crate) fn may_differ(&self) -> bool {
         match self {
             Tree::Opaque { call, .. } => call.is_some(),
             Tree::Unary(_, inner) => inner.may_differ(),
@@ -56,7 +56,7 @@ impl Tree {
 
     /// Whether both are written alike, so that one evaluation serves for both.
     #[must_use]
-    pub fn is_alike(&self, other: &Self) -> bool {
+    pub(crate) fn is_alike(&self, other: &Self) -> bool {
         match (self, other) {
             (Tree::Opaque { text, reads, .. }, Tree::Opaque { text: other, reads: others, .. }) => {
                 text == other && reads == others

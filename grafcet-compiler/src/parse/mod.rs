@@ -45,7 +45,8 @@ use crate::diagnostic::Sink;
 use crate::plant;
 
 pub(crate) use association::is_qualifier;
-pub use time::{mentions_time, time_literal};
+pub(crate) use time::mentions_time;
+pub use time::time_literal;
 
 /// Parses the tokens of one macro call.
 ///

@@ -32,7 +32,7 @@ pub fn time_literal(lit: &Lit) -> Option<Result<Time, String>> {
 
 /// Whether a chart speaks of time: `5s`, `Step.T`, a value of type `time`. For one that could not be read as a whole.
 #[must_use]
-pub fn mentions_time(chart: TokenStream) -> bool {
+pub(crate) fn mentions_time(chart: TokenStream) -> bool {
     let mut open = vec![chart];
     while let Some(tokens) = open.pop() {
         let mut dot = false;

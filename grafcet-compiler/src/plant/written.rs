@@ -16,6 +16,7 @@ use crate::ast::{Body, DeclKind, Item, Property, Setting};
 use crate::diagnostic::{Mark, Sink};
 use crate::list::List;
 use crate::parse;
+use crate::raw;
 
 /// The dialect of a plant that is written as a chart: an `sfc` of which messages know that it is a plant. A user writes `plant`.
 pub(crate) const KEYWORD: &str = "__plant";
@@ -182,7 +183,7 @@ impl Plainer<'_> {
 
     /// An input beside those that are there, called after a step.
     fn choice(&mut self, what: &str, step: &Ident, doc: &str) -> Ident {
-        let base = format!("{what}_{}", snake(step.to_string().trim_start_matches("r#")));
+        let base = format!("{what}_{}", snake(&raw::plain(step)));
         let (mut name, mut number) = (base.clone(), 1);
         while self.free.contains(&name) || self.taken.contains(&name) {
             number += 1;

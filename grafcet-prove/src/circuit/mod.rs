@@ -59,7 +59,7 @@ impl Refused {
 
     /// Everything is modelled, and takes more gates than are wanted.
     #[must_use]
-    pub fn is_too_large(&self) -> bool {
+    pub(crate) fn is_too_large(&self) -> bool {
         self.0 == TOO_LARGE
     }
 }

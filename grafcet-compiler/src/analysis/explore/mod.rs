@@ -273,7 +273,7 @@ impl Exploration {
 
     /// Whether the structure alone tells that the transition never clears.
     #[must_use]
-    pub fn is_barred(&self, transition: TransitionId) -> bool {
+    pub(crate) fn is_barred(&self, transition: TransitionId) -> bool {
         self.net.structure.as_ref().is_some_and(|structure| !structure.can_clear(transition))
     }
 

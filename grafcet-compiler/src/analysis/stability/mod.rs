@@ -90,7 +90,7 @@ impl Stability {
     /// Whether the situation after an evolution follows from the one before it and from what stays constant during a cycle: a
     /// search that comes back to a situation then goes on for ever.
     #[must_use]
-    pub fn is_memoryless(model: &Model) -> bool {
+    pub(crate) fn is_memoryless(model: &Model) -> bool {
         let stays = |read: &Read| is_constant_read(read) || matches!(read, Read::Active(_) | Read::MacroActive(_));
         model.transitions.values().flat(|transition| &transition.condition.reads).all(stays)
     }
@@ -171,7 +171,7 @@ fn is_refilled(model: &Model) -> bool {
 
 /// Whether a read has one value throughout a cycle.
 #[must_use]
-pub fn is_constant_read(read: &Read) -> bool {
+pub(crate) fn is_constant_read(read: &Read) -> bool {
     matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_) | Read::Ticks(_))
 }
 

@@ -9,6 +9,7 @@ use super::{Resolver, habits};
 use crate::diagnostic::Mark;
 use crate::list::List;
 use crate::model::{Binary, Edge, Expr, LetId, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
+use crate::raw::plain;
 use crate::visit::Locals;
 
 /// Resolves one expression of the user.
@@ -287,7 +288,7 @@ pub(super) fn step_path(expr: &syn::Expr) -> Option<Vec<Ident>> {
 
 /// Constants, types and variants of the surrounding Rust begin with an upper-case letter.
 pub(super) fn looks_like_a_variable(name: &Ident) -> bool {
-    !name.to_string().trim_start_matches("r#").trim_start_matches('_').starts_with(char::is_uppercase)
+    !plain(name).trim_start_matches('_').starts_with(char::is_uppercase)
 }
 
 pub(super) fn literal(lit: &Lit) -> Option<Tree> {

@@ -375,7 +375,7 @@ impl Resolver<'_> {
 impl Model {
     /// The scopes in which levels for a step are looked up.
     #[must_use]
-    pub fn levels_of<'m>(&'m self, step: &'m Step) -> Vec<&'m [LevelAttr]> {
+    pub(crate) fn levels_of<'m>(&'m self, step: &'m Step) -> Vec<&'m [LevelAttr]> {
         vec![&step.levels, &self.partials[step.partial].levels, &self.levels]
     }
 

@@ -7,6 +7,7 @@ use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::{List, PushAll};
 use crate::model::{ActionId, LetId, MacroId, Name, PartialId, StepId};
+use crate::raw::plain;
 use crate::similar;
 use crate::sorted::{Map, Set};
 
@@ -93,7 +94,7 @@ impl Scope {
     pub(super) fn name_the_nameless(&mut self, drawn: &Set<String>) {
         let unknown = |name: &&String| {
             let name = name.trim_start_matches("r#");
-            self.names.get(name).is_none() && !self.broken.iter().any(|broken| key(broken) == name)
+            self.names.get(name).is_none() && !self.broken.iter().any(|broken| plain(broken) == name)
         };
         let unknown: Set<String> =
             drawn.iter().filter(unknown).map(|name| name.trim_start_matches("r#").to_owned()).collect();
@@ -109,7 +110,7 @@ impl Scope {
             let message = "`any` in front of a transition stands for all steps, `any -[x]-> A;`; choose another name for this one";
             sink.rule(&rules::RESERVED_NAME, &[], vec![(name.into(), message.to_owned())]);
         }
-        let same = self.names.or_default(key(name));
+        let same = self.names.or_default(plain(name));
         match same.first() {
             Some((_, first)) if self.modes.contains(first) => modes::taken(name, first.span(), sink),
             Some((_, first)) => report_duplicate(name, first, sink),
@@ -122,7 +123,7 @@ impl Scope {
     /// Declares an input of `modes;`, whose keyword is where the name stands; the other declaration of a name is reported.
     pub(super) fn declare_of_modes(&mut self, name: &Ident, meaning: Meaning, sink: &mut Sink) {
         self.modes.push(name.clone());
-        let same = self.names.or_default(key(name));
+        let same = self.names.or_default(plain(name));
         if let Some((_, first)) = same.first() {
             modes::taken(first, name.span(), sink);
         }
@@ -131,44 +132,44 @@ impl Scope {
 
     /// Declares a partial grafcet.
     pub(super) fn declare_partial(&mut self, name: &Ident, id: PartialId, sink: &mut Sink) {
-        match self.partials.get(&key(name)) {
+        match self.partials.get(&plain(name)) {
             Some((_, first)) => report_duplicate(name, first, sink),
             None => {
                 refuse_reserved(name, sink);
-                self.partials.insert(key(name), (id, name.clone()));
+                self.partials.insert(plain(name), (id, name.clone()));
             }
         }
     }
 
     /// Declares a named transition.
     pub(super) fn declare_transition(&mut self, name: &Ident, sink: &mut Sink) {
-        match self.transitions.get(&key(name)) {
+        match self.transitions.get(&plain(name)) {
             Some(first) => report_duplicate(name, first, sink),
             None => {
                 refuse_reserved(name, sink);
-                self.transitions.insert(key(name), name.clone());
+                self.transitions.insert(plain(name), name.clone());
             }
         }
     }
 
     /// What `name` means, if it is declared.
     pub(super) fn get(&self, name: &Ident) -> Option<Meaning> {
-        self.names.get(&key(name))?.first().map(|(meaning, _)| *meaning)
+        self.names.get(&plain(name))?.first().map(|(meaning, _)| *meaning)
     }
 
     /// Everything of that name: more than one thing is an error by itself.
     pub(super) fn all(&self, name: &Ident) -> impl Iterator<Item = Meaning> + '_ {
-        self.names.get(&key(name)).into_iter().flatten().map(|(meaning, _)| *meaning)
+        self.names.get(&plain(name)).into_iter().flatten().map(|(meaning, _)| *meaning)
     }
 
     /// Whether a partial grafcet is called so.
     pub(super) fn has_partial(&self, name: &Ident) -> bool {
-        self.partials.contains_key(&key(name))
+        self.partials.contains_key(&plain(name))
     }
 
     /// The partial grafcet `name`; an unknown one is reported.
     pub(super) fn partial(&self, name: &Ident, sink: &mut Sink) -> Option<PartialId> {
-        if let Some((id, _)) = self.partials.get(&key(name)) {
+        if let Some((id, _)) = self.partials.get(&plain(name)) {
             return Some(*id);
         }
         if self.plants.contains(&name.to_string()) {
@@ -191,7 +192,7 @@ impl Scope {
 
     /// The step or macro-step `name`; anything else is reported.
     pub(super) fn step(&self, name: &Ident, sink: &mut Sink) -> Option<Meaning> {
-        let Some(same) = self.names.get(&key(name)) else {
+        let Some(same) = self.names.get(&plain(name)) else {
             self.unknown_step(name, sink);
             return None;
         };
@@ -223,7 +224,7 @@ impl Scope {
 
     /// Takes note of the declaration that a name lacks which an action writes.
     pub(super) fn wish(&mut self, name: &Ident, wanted: &str) {
-        self.wishes.or_insert_with(key(name), || Wish { declaration: wanted.to_owned(), written: true });
+        self.wishes.or_insert_with(plain(name), || Wish { declaration: wanted.to_owned(), written: true });
     }
 
     /// Reports a name in an expression or after a qualifier that is not declared.
@@ -232,7 +233,7 @@ impl Scope {
             return;
         }
         let unwritten = || Wish { declaration: wanted.to_owned(), written: false };
-        let Wish { declaration: wanted, written } = self.wishes.or_insert_with(key(name), unwritten);
+        let Wish { declaration: wanted, written } = self.wishes.or_insert_with(plain(name), unwritten);
         let (wanted, written) = (wanted.clone(), *written);
         // What stands for it has to be something that an action may write.
         let fits: fn(Meaning) -> bool = if written {
@@ -253,29 +254,29 @@ impl Scope {
 
     /// Whether the name is declared more than once, which has been reported.
     pub(super) fn is_twice(&self, name: &Ident) -> bool {
-        self.names.get(&key(name)).is_some_and(|same| same.len() > 1)
+        self.names.get(&plain(name)).is_some_and(|same| same.len() > 1)
     }
 
     /// Whether a broken item would have declared the name.
     pub(super) fn is_broken(&self, name: &Ident) -> bool {
-        self.broken.iter().any(|b| name == b) || self.theirs.contains(&key(name))
+        self.broken.iter().any(|b| name == b) || self.theirs.contains(&plain(name))
     }
 
     /// Whether a name that may be one of the surrounding Rust is rather a slip of the pen: `Endlage_vron`.
     pub(super) fn is_misspelt(&self, name: &Ident) -> bool {
-        let text = key(name);
+        let text = plain(name);
         let is_upper = |c: char| c.is_uppercase();
         let own = |meaning: Meaning| matches!(meaning, Meaning::Value(_) | Meaning::Let(_));
         text.starts_with(is_upper) && text.contains(char::is_lowercase) && {
             let declared = self.names.values().flatten().filter(|(meaning, _)| own(*meaning)).map(|(_, name)| name);
-            let alike = declared.filter(|name| key(name).starts_with(is_upper));
-            alike.into_iter().any(|declared| similar::distance(&text, &key(declared)) <= text.chars().count() / 6)
+            let alike = declared.filter(|name| plain(name).starts_with(is_upper));
+            alike.into_iter().any(|declared| similar::distance(&text, &plain(declared)) <= text.chars().count() / 6)
         }
     }
 
     /// Reports a name alone, where a step may stand, that is nearly one; a constant of the surrounding Rust is not written so.
     pub(super) fn is_misspelt_step(&self, name: &Ident, sink: &mut Sink) -> bool {
-        let text = key(name);
+        let text = plain(name);
         let is_camel = text.starts_with(char::is_uppercase) && text.contains(char::is_lowercase);
         if !is_camel || self.names.get(&text).is_some() || self.is_broken(name) {
             return false;
@@ -283,7 +284,7 @@ impl Scope {
         let steps = self.steps().list();
         // Of a short name one letter too many is a third or more of it.
         let one_off = || {
-            let longer = |step: &&&Ident| text.starts_with(&key(step)) && similar::distance(&text, &key(step)) == 1;
+            let longer = |step: &&&Ident| text.starts_with(&plain(step)) && similar::distance(&text, &plain(step)) == 1;
             let near = steps.iter().find(longer).filter(|_| !text.ends_with(char::is_numeric));
             near.map(|step| format!("did you mean `{step}`?"))
         };
@@ -297,11 +298,6 @@ impl Scope {
             self.names.values().flatten().filter(|(meaning, _)| fits(*meaning)).map(|(_, declared)| declared);
         nearest(name, &declared.list())
     }
-}
-
-/// A name without `r#`: `on` and `r#on` are one.
-fn key(name: &Ident) -> String {
-    name.to_string().trim_start_matches("r#").to_owned()
 }
 
 /// "did you mean `Off`?", where something is near enough.

@@ -6,13 +6,14 @@
 //! period began. That of a delay with literals is the reading at which its input changed. Every other time is counted, and saturates.
 
 use super::changes::{Change, Changes, changes, is_time_of_step};
-use super::places::{Phases, plain, time, truth};
+use super::places::{Phases, time, truth};
 use super::{Clocks, Lower};
 use crate::analysis::{Condition, Facts, Logic};
 use crate::list::List;
 use crate::model::{Blink, Blinker, Delay, Effect, ForceOrder, Id, MacroId, Model, Read, StepId, TimeRef, Tree};
 use crate::program::build::{add, ticks};
 use crate::program::{Expr, PlaceId, Role, Statement, Type};
+use crate::raw::plain;
 
 /// The highest time that a reading of the clock can be compared with.
 const HIGHEST: u32 = 1 << 31;

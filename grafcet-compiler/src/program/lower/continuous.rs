@@ -2,12 +2,12 @@
 //! combinational.
 
 use super::Lower;
-use super::places::plain;
 use super::view::Moment;
 use crate::list::{List, PushAll};
 use crate::model::{ActionId, AssociationId, Effect, Id, Place};
 use crate::program::build::{all, any, choose, not, number, part, when, yes};
 use crate::program::{Expr, Initial, Phase, PlaceId, Role, Statement, Type, Value};
+use crate::raw::plain;
 
 impl<'m> Lower<'_, 'm> {
     /// Whether an association is a continuous action: N, and L and D by A32.

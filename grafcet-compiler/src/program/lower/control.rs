@@ -10,7 +10,6 @@
 //! ```
 
 use super::Lower;
-use super::places::plain;
 use super::view::Moment;
 use crate::list::{List, PushAll};
 use crate::model::{
@@ -18,6 +17,7 @@ use crate::model::{
 };
 use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
+use crate::raw::plain;
 use crate::sorted::sort_by_key;
 
 /// A31: what associations are combined for.

@@ -6,6 +6,7 @@ use crate::analysis::{Facts, edge_ends};
 use crate::list::List;
 use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
 use crate::program::{Initial, PlaceId, PlaceInfo, Regions, Role, Type, Value};
+use crate::raw::plain;
 use crate::sorted::sort_by_key;
 
 /// An edge: what it compares with, and what its expression is now.
@@ -325,10 +326,6 @@ fn numbered(names: Vec<String>) -> Vec<(String, usize)> {
         }
     }
     names.into_iter().zip(numbers).list()
-}
-
-pub(super) fn plain(name: &proc_macro2::Ident) -> String {
-    name.to_string().trim_start_matches("r#").to_owned()
 }
 
 pub(super) fn truth<'m>(value: bool) -> Initial<'m> {

@@ -9,7 +9,7 @@ use crate::model::{Model, StepId};
 impl Exploration {
     /// The deadlocks of this kind.
     #[must_use]
-    pub fn contended(&self, model: &Model) -> Vec<&Deadlock> {
+    pub(crate) fn contended(&self, model: &Model) -> Vec<&Deadlock> {
         self.deadlocks().iter().filter(|deadlock| self.is_contended(model, deadlock)).list()
     }
 
