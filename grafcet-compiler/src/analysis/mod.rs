@@ -54,6 +54,7 @@ pub(crate) use rulings::Rulings;
 pub use searches::Searches;
 pub(crate) use stability::is_constant_read;
 pub use stability::{Ends, Stability};
+pub(crate) use terms::integer;
 pub use together::Situations;
 pub use union::Union;
 pub(crate) use unlisted::{Unlisted, unlisted, unlisted_of};

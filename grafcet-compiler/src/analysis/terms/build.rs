@@ -19,7 +19,7 @@ pub(super) fn usual(ty: Integer) -> Span {
 }
 
 /// The type of an expression, where it is one of integers that can be seen.
-pub(in crate::analysis) fn integer(model: &Model, tree: &Tree) -> Option<Integer> {
+pub(crate) fn integer(model: &Model, tree: &Tree) -> Option<Integer> {
     match tree {
         Tree::Read(Read::Name(name)) => match model.ty(*name) {
             Ty::Int { rust, .. } => Integer::of(rust),

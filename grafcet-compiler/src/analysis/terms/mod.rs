@@ -9,7 +9,7 @@ mod build;
 mod solve;
 mod spans;
 
-pub(super) use build::integer;
+pub(crate) use build::integer;
 
 use super::differences::FAR;
 use crate::model::{Integer, Tree};

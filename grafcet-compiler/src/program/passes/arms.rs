@@ -94,7 +94,7 @@ fn in_arm<'m>(
             then.clone()
         } else {
             let mut arm = vec![Statement::If(all(others.clone()), then.clone(), arm)];
-            once::statements(&mut arm);
+            once::statements(program.model, &mut arm);
             arm
         }
     })?;

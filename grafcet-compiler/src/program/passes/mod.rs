@@ -57,6 +57,7 @@ mod begun;
 mod belonging;
 mod branches;
 mod common;
+mod comparisons;
 mod dead;
 mod decompose;
 mod direct;

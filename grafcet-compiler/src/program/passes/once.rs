@@ -22,19 +22,21 @@
 use super::super::build::{all, any, no, not, yes};
 use super::super::costs::questions;
 use super::super::{Comparison, Expr, PlaceId, Program, Statement, Value};
+use super::comparisons;
 use super::fold::negated;
 use super::uses::{blocks, each_read, each_written, is_plain, is_pure, mentions, same, same_block, sum};
 use crate::list::PushAll;
+use crate::model::Model;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
-    statements(&mut cycle);
+    statements(program.model, &mut cycle);
     program.cycle = cycle;
 }
 
 /// The same for some statements by themselves.
-pub(super) fn statements(statements: &mut Vec<Statement<'_>>) {
-    block(statements, &mut Learned::default());
+pub(super) fn statements<'m>(model: &'m Model, statements: &mut Vec<Statement<'m>>) {
+    block(statements, &mut Learned::of(model));
 }
 
 /// Of so much that is asked and done is it tried out, on one way, what it would be if conditions were taken apart.
@@ -52,10 +54,13 @@ struct Answer<'m> {
 }
 
 impl<'m> Answer<'m> {
-    /// Whether another condition holds then: the same one, or one of the same time.
-    fn tells(&self, other: &Expr<'m>) -> Option<bool> {
+    /// Whether another condition holds then: the same one, or one of the same time or integer.
+    fn tells(&self, model: &Model, other: &Expr<'m>) -> Option<bool> {
         if same(&self.condition, other) {
             return Some(self.holds);
+        }
+        if let (Expr::User(told), Expr::User(asked)) = (&self.condition, other) {
+            return comparisons::tells(model, (told, self.holds), asked);
         }
         let ((one, least, is_one), (time, end, is_other)) = (limit(&self.condition)?, limit(other)?);
         let reached = self.holds == is_one;
@@ -76,8 +81,8 @@ fn limit<'e>(condition: &'e Expr<'_>) -> Option<(&'e Expr<'e>, u32, bool)> {
 }
 
 /// What is known on a way.
-#[derive(Default)]
 struct Learned<'m> {
+    model: &'m Model,
     told: Vec<Answer<'m>>,
     /// Which of it holds no longer, as something it asks for has been written.
     stale: Vec<usize>,
@@ -87,6 +92,10 @@ struct Learned<'m> {
 }
 
 impl<'m> Learned<'m> {
+    fn of(model: &'m Model) -> Self {
+        Self { model, told: Vec::new(), stale: Vec::new(), effort: 0, is_trying: false }
+    }
+
     /// A part of a condition that is better asked first, as what stands after it asks for it, too; and the rest.
     fn apart(&mut self, condition: &Expr<'m>, otherwise: &[Statement<'m>]) -> Option<(Expr<'m>, Expr<'m>)> {
         if self.told.is_empty() {
@@ -99,7 +108,7 @@ impl<'m> Learned<'m> {
         for (at, part) in parts.iter().enumerate().take_while(|(_, part)| is_pure(part)) {
             // What stands in front of it may be there so that it does not panic.
             let may_come_first = at == 0 || is_plain(part);
-            if may_come_first && is_asked(otherwise, part) {
+            if may_come_first && is_asked(self.model, otherwise, part) {
                 let mut rest = parts.clone();
                 let part = rest.remove(at);
                 let rest = all(rest);
@@ -275,21 +284,21 @@ fn under<'m>(body: &mut Vec<Statement<'m>>, condition: &Expr<'m>, holds: bool, l
 }
 
 /// Whether something is asked that a condition tells, holds it or not.
-fn is_asked(statements: &[Statement<'_>], condition: &Expr<'_>) -> bool {
-    let mut learned = Learned::default();
+fn is_asked<'m>(model: &'m Model, statements: &[Statement<'m>], condition: &Expr<'m>) -> bool {
+    let mut learned = Learned::of(model);
     learned.learn(condition, true);
     learned.learn(condition, false);
     let mut found = false;
-    each_asked(statements, &mut |asked| found |= learned.told.iter().any(|one| tells_of(one, asked)));
+    each_asked(statements, &mut |asked| found |= learned.told.iter().any(|one| tells_of(model, one, asked)));
     found
 }
 
 /// Whether it tells something of an expression.
-fn tells_of<'m>(told: &Answer<'m>, expr: &Expr<'m>) -> bool {
-    told.tells(expr).is_some()
+fn tells_of<'m>(model: &Model, told: &Answer<'m>, expr: &Expr<'m>) -> bool {
+    told.tells(model, expr).is_some()
         || match expr {
-            Expr::Not(inner) => tells_of(told, inner),
-            Expr::All(parts) | Expr::Any(parts) => parts.iter().any(|one| tells_of(told, one)),
+            Expr::Not(inner) => tells_of(model, told, inner),
+            Expr::All(parts) | Expr::Any(parts) => parts.iter().any(|one| tells_of(model, told, one)),
             _ => false,
         }
 }
@@ -310,7 +319,7 @@ fn known<'m>(expr: &Expr<'m>, learned: &Learned<'m>) -> Expr<'m> {
     if learned.told.is_empty() {
         return expr.clone();
     }
-    if let Some(holds) = learned.known().find_map(|told| told.tells(expr)) {
+    if let Some(holds) = learned.known().find_map(|told| told.tells(learned.model, expr)) {
         return if holds { yes() } else { no() };
     }
     let list = |parts: &[Expr<'m>]| {

@@ -26,6 +26,9 @@ use crate::sorted::{Map, Set};
 /// In statements: what is more is not done at the end of several ways.
 const FEW: usize = 8;
 
+/// In statements: so much less there has to be so that one end alone leaves something to what stands after the ways.
+const MUCH: usize = 12;
+
 /// What is done at the end of a way with one part, and with those that it leads.
 pub(super) struct Unit<'m> {
     /// The part's number.
@@ -63,23 +66,44 @@ impl<'t> After<'t> {
 
     /// Takes what is shared out of the ends of the ways of a region.
     pub(super) fn share<'m>(&self, region: usize, ends: &mut [Vec<Unit<'m>>]) -> Shared<'m> {
+        let mut groups = self.groups(region, ends, &Set::new());
+        // What one end does alone goes with what others do, too, if that would have to come after it.
+        let mut led = units(ends);
+        let with_led = self.groups(region, ends, &led);
+        if saved(&with_led) >= saved(&groups) + MUCH {
+            groups = with_led;
+            for unit in units(ends).iter() {
+                led.remove(unit);
+                let less = self.groups(region, ends, &led);
+                if saved(&less) < saved(&groups) {
+                    led.insert(*unit);
+                } else {
+                    groups = less;
+                }
+            }
+        }
+        self.take(region, &groups, ends)
+    }
+
+    /// Those units of which it pays that they stand after the ways, by the ends that leave them. Of `led` ones a single end may.
+    fn groups(&self, region: usize, ends: &[Vec<Unit<'_>>], led: &Set<usize>) -> Vec<Vec<Chosen>> {
         let mut alone = Set::new();
-        let groups = loop {
-            let groups = groups(chosen(ends, &alone, self.free.moves));
+        loop {
+            let groups = groups(chosen(ends, (&alone, led), self.free.moves));
             let rejected = groups.iter().filter(|group| !self.is_worth(region, group, ends.len()));
             let before = alone.len();
             alone.extend(rejected.flatten().map(|unit| unit.at));
             if alone.len() == before {
-                break groups;
+                return groups;
             }
-        };
-        self.take(region, &groups, ends)
+        }
     }
 
     fn is_worth(&self, region: usize, group: &[Chosen], ends: usize) -> bool {
         let Some(first) = group.first() else { return false };
         let weight: usize = group.iter().map(|unit| unit.weight).sum();
-        weight > 0 && (first.ends.len() == ends || weight > FEW && self.place(region, first.at).is_some())
+        let is_much = first.ends.len() == 1 || weight > FEW;
+        weight > 0 && (first.ends.len() == ends || is_much && self.place(region, first.at).is_some())
     }
 
     fn place(&self, region: usize, at: usize) -> Option<PlaceId> {
@@ -127,15 +151,29 @@ impl<'t> After<'t> {
     }
 }
 
-/// The units that may stand after the ways, the last ones first: after a unit that stays at the end of its way nothing is left that it would have to
-/// come after. But for those that stand `alone`.
-fn chosen(ends: &[Vec<Unit<'_>>], alone: &Set<usize>, moves: PlaceId) -> Vec<Chosen> {
-    let mut keys = Set::new();
-    for unit in ends.iter().flatten() {
-        if !unit.statements.is_empty() && !alone.contains(&unit.at) {
-            keys.insert(unit.at);
-        }
+/// All units.
+fn units(ends: &[Vec<Unit<'_>>]) -> Set<usize> {
+    let mut all = Set::new();
+    all.extend(ends.iter().flatten().filter(|unit| !unit.statements.is_empty()).map(|unit| unit.at));
+    all
+}
+
+/// In statements: how much less there is to do where groups are done after the ways.
+fn saved(groups: &[Vec<Chosen>]) -> usize {
+    let mut all = 0;
+    for group in groups {
+        let Some(first) = group.first() else { continue };
+        let weight: usize = group.iter().map(|unit| unit.weight).sum();
+        all += (first.ends.len() - 1) * weight;
     }
+    all
+}
+
+/// The units that may stand after the ways, the last ones first: after a unit that stays at the end of its way nothing is left that it would have to
+/// come after. But for those that stand `alone`; of `led` ones a single end may leave them.
+fn chosen(ends: &[Vec<Unit<'_>>], (alone, led): (&Set<usize>, &Set<usize>), moves: PlaceId) -> Vec<Chosen> {
+    let mut keys = units(ends);
+    keys.retain(|unit| !alone.contains(unit));
     // By end, the units that stay.
     let mut stays: Vec<Vec<bool>> = ends.iter().map(|units| vec![true; units.len()]).collect();
     let mut all = Vec::new();
@@ -147,7 +185,8 @@ fn chosen(ends: &[Vec<Unit<'_>>], alone: &Set<usize>, moves: PlaceId) -> Vec<Cho
                 places.push((end, at));
             }
         }
-        if let Some(chosen) = most(ends, *key, &places) {
+        let least = if led.contains(key) { 1 } else { 2 };
+        if let Some(chosen) = most(ends, *key, &places, least) {
             for (end, at) in &chosen.ends {
                 stays[*end][*at] = false;
             }
@@ -171,19 +210,19 @@ fn is_last(units: &[Unit<'_>], stays: &[bool], at: usize, moves: PlaceId) -> boo
     left.all(|(unit, _)| own.may_swap(&effects(unit)))
 }
 
-/// What most of these do, if several do.
-fn most(ends: &[Vec<Unit<'_>>], key: usize, places: &[(usize, usize)]) -> Option<Chosen> {
+/// What most of these do, if as many do.
+fn most(ends: &[Vec<Unit<'_>>], key: usize, places: &[(usize, usize)], least: usize) -> Option<Chosen> {
     let block = |(end, at): (usize, usize)| &ends[end][at].statements;
     let mut best: Option<Chosen> = None;
     for place in places {
         let weight = weight(block(*place));
         let is_better = |count: usize| best.as_ref().is_none_or(|best| count * weight > best.ends.len() * best.weight);
-        if places.len() < 2 || !is_better(places.len()) {
+        if places.len() < least || !is_better(places.len()) {
             continue;
         }
         let same = places.iter().copied().filter(|other| same_block(block(*other), block(*place)));
         let same: Vec<(usize, usize)> = same.collect();
-        if same.len() > 1 && is_better(same.len()) {
+        if same.len() >= least && is_better(same.len()) {
             best = Some(Chosen { at: key, ends: same, weight });
         }
     }
