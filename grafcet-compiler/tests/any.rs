@@ -88,7 +88,7 @@ fn it_comes_before_all_others() {
         let end = "any -[stop]-> Stopped -[!stop && ack]-> Idle;";
         let dead = format!("Run -[stop && ack]-> Idle; {end}");
         assert_eq!(sequence(dialect, &dead), ["shadowed_branch"], "{dialect}");
-        let second = format!("{end} any -[stop && done]-> Idle;");
+        let second = format!("{end} any except Stopped -[stop && done]-> Idle;");
         assert_eq!(sequence(dialect, &second), ["shadowed_branch"], "{dialect}");
         let left_out = "Run -[stop && ack && !done]-> Idle; any except Run -[stop]-> Stopped -[!stop && ack]-> Idle;";
         assert_eq!(sequence(dialect, left_out), Vec::<String>::new(), "{dialect}");
@@ -155,5 +155,41 @@ fn a_thousand_steps() {
         let begin = std::time::Instant::now();
         assert_eq!(rules(&chart), Vec::<String>::new(), "{dialect}");
         println!("{dialect}: {:?}", begin.elapsed());
+    }
+}
+
+/// Each `any` leaves all steps but its own targets: one that comes later clears from those of an earlier one.
+#[test]
+fn one_that_comes_later_clears_from_the_targets_of_an_earlier_one() {
+    let chart = |dialect: &str, rest: &str| {
+        rules(&format!(
+            "{dialect} Several {{ input a, b: bool; output q: bool; initial step A; step B {{ q; }} step E; {rest} }}"
+        ))
+    };
+    let none = Vec::<String>::new();
+    let back = "A -[rising(b)]-> A; E -[rising(b)]-> A;";
+    assert_eq!(chart("grafcet", &format!("any -[rising(a)]-> E; any -[rising(a)]-> B; {back}")), none);
+    let back = "A -[b]-> B; B -[b]-> A; E -[!a]-> A;";
+    assert_eq!(chart("sfc", &format!("any -[a]-> E; any -[a && b]-> B; {back}")), none);
+    assert_eq!(chart("sfc", &format!("any except B -[a]-> E; any -[a && b]-> B; {back}")), none);
+    // Not where the earlier one leaves all that it does.
+    assert_eq!(chart("sfc", &format!("any -[a]-> E; any except E -[a && b]-> B; {back}")), ["shadowed_branch"]);
+    let back = "A -[rising(b)]-> B; B -[rising(b)]-> A; E -[rising(b)]-> A;";
+    let shadowed = "any -[rising(a)]-> E; any except E -[rising(a) && b]-> B;";
+    assert_eq!(chart("grafcet", &format!("{shadowed} {back}")), ["shadowed_branch"]);
+}
+
+/// A step that nothing but a stop leaves is touched by it, if it begins as active.
+#[test]
+fn it_leaves_a_step_that_nothing_else_touches() {
+    for dialect in DIALECTS {
+        let chart = |initial: &str, other: &str| {
+            rules(&format!(
+                "{dialect} Boots {{ input go, stop, back: bool; output q: bool; {initial} step Boot {{ q; }} {other} step Stopped; \
+                 step Run {{ q; }} any -[stop]-> Stopped; Stopped -[go && !stop]-> Run -[back && !stop]-> Stopped; }}"
+            ))
+        };
+        assert_eq!(chart("initial", ""), Vec::<String>::new(), "{dialect}");
+        assert_eq!(chart("", "initial"), ["isolated_step"], "{dialect}");
     }
 }

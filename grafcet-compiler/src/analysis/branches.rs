@@ -1,7 +1,7 @@
 //! Transitions that compete for a step: which never get their turn (`sfc`), and which can clear together (`grafcet`).
 
 use super::{Answer, Concurrency, Condition, Logic};
-use crate::list::{List, PushAll};
+use crate::list::List;
 use crate::model::{Binary, Id, Model, Name, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -53,21 +53,35 @@ impl Branches<'_> {
         let mut found = Rivalry::default();
         let stands = |id: &TransitionId| model.transitions[*id].any.is_none_or(|any| model.anys[any].first == *id);
         for id in model.transitions.ids().filter(|id| !dead.contains(id) && stands(id)) {
-            // What competes with it and stands before it.
-            let others = model.transitions[id].sources.iter().flat(|step| model.leaving[step.index()].iter().copied());
-            let before: Set<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
+            let before = self.before(id, dead);
             if before.is_empty() {
                 continue;
             }
-            let mut before: Vec<TransitionId> = before.into_iter().rev().take(NEIGHBOURS).list();
-            before.reverse();
             if model.is_grafcet() {
                 self.overlapping(id, &before, &mut found);
-            } else {
-                found.shadowed.push_all(self.shadowed(id, &before));
+            } else if let Some(shadowed) = self.shadowed(id, &before) {
+                // An `any` never clears if it does from none of its steps.
+                let any = model.transitions[id].any;
+                let of_any = |other: &TransitionId| any.is_some() && model.transitions[*other].any == any;
+                let mut others = model.transitions.ids().filter(|other| *other != id && of_any(other));
+                if others
+                    .all(|other| dead.contains(&other) || self.shadowed(other, &self.before(other, dead)).is_some())
+                {
+                    found.shadowed.push(shadowed);
+                }
             }
         }
         found
+    }
+
+    /// What competes with a transition and stands before it.
+    fn before(&self, id: TransitionId, dead: &Set<TransitionId>) -> Vec<TransitionId> {
+        let model = self.model;
+        let others = model.transitions[id].sources.iter().flat(|step| model.leaving[step.index()].iter().copied());
+        let before: Set<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
+        let mut before: Vec<TransitionId> = before.into_iter().rev().take(NEIGHBOURS).list();
+        before.reverse();
+        before
     }
 
     /// Branches of a step whose conditions nobody can relate: conditions that hold where both do. They are meant to exclude

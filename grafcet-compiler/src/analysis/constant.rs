@@ -2,7 +2,7 @@
 
 use super::{Condition, Logic};
 use crate::list::{List, PushAll};
-use crate::model::{Binary, Model, Read, StepId, Transition, TransitionId, Tree};
+use crate::model::{AnyId, Binary, Id, Model, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
 /// The value that a condition always has.
@@ -23,16 +23,15 @@ pub(crate) struct Constants {
 }
 
 impl Constants {
-    /// Those of a chart; `conditions` are those of the transitions. All transitions of an `any` are as the first of them.
+    /// Those of a chart; `conditions` are those of the transitions. An `any` is one transition here: where another `any` comes before it, its conditions differ by the
+    /// steps in front of it.
     pub(crate) fn of(model: &Model, logic: &Logic<'_>, conditions: &[Condition]) -> Self {
         let mut found = Self::default();
         let plain = Logic::new(model);
         for ((id, transition), condition) in model.transitions.iter().zip(conditions) {
-            if let Some(first) = transition.any.map(|any| model.anys[any].first).filter(|first| *first != id) {
-                for set in [&mut found.never, &mut found.always, &mut found.while_enabled] {
-                    if set.contains(&first) {
-                        set.insert(id);
-                    }
+            if let Some(any) = transition.any {
+                if model.anys[any].first == id {
+                    found.of_any(model, any, logic, conditions);
                 }
                 continue;
             }
@@ -44,6 +43,27 @@ impl Constants {
             }
         }
         found
+    }
+
+    fn of_any(&mut self, model: &Model, any: AnyId, logic: &Logic<'_>, conditions: &[Condition]) {
+        let all = model.transitions.ids().filter(|id| model.transitions[*id].any == Some(any)).list();
+        let tree = |id: TransitionId| &model.transitions[id].condition.tree;
+        let mut known: Option<(TransitionId, Constant)> = None;
+        for id in &all {
+            if known.is_some_and(|(before, _)| tree(before) == tree(*id)) {
+                continue;
+            }
+            let Some(value) = constant(logic, &conditions[id.index()], tree(*id)) else { return };
+            if known.is_some_and(|(_, before)| before != value) {
+                return;
+            }
+            known = Some((*id, value));
+        }
+        match known {
+            Some((_, Constant::Never)) => self.never.extend(all),
+            Some((_, Constant::Always)) => self.always.extend(all),
+            None => {}
+        }
     }
 }
 

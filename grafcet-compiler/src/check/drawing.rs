@@ -3,7 +3,7 @@
 use super::rivals;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
-use crate::model::{Dialect, ForceOrder, Model, PartialId, StepId, TransitionId};
+use crate::model::{Dialect, ForceOrder, Id, Model, PartialId, StepId, TransitionId};
 use crate::sorted::sort;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
@@ -104,7 +104,9 @@ fn isolated_steps(model: &Model, sink: &mut Sink) {
         |id: StepId| model.forces.values().any(|f| matches!(&f.order, ForceOrder::Steps(steps) if steps.contains(&id)));
     for (id, step) in model.steps.iter() {
         let evolves = model.partials[step.partial].steps.iter().any(|other| model.steps[*other].drawn);
-        if step.drawn || !evolves || step.linked || named_by_force(id) {
+        // A stop of all steps leaves it, too.
+        let starts = step.initial && !model.leaving[id.index()].is_empty();
+        if step.drawn || starts || !evolves || step.linked || named_by_force(id) {
             continue;
         }
         let name = &step.name;

@@ -216,3 +216,21 @@ fn many_open_properties_take_little_more_than_some() {
     let (some, many) = (seconds(6), seconds(30));
     assert!(many < 2.0 * some, "{many:.2} s for 30, {some:.2} s for 6");
 }
+
+/// A chain of variables that are each made of the one before, twice: written out they would be as long as the second power of their number.
+#[test]
+fn variables_made_of_each_other() {
+    let chart = |count: usize| {
+        let names: Vec<String> = (0..count).map(|at| format!("x{at}")).collect();
+        let one = |at: usize| format!("x{at} if x{} && c || !x{} && b; ", at - 1, at - 1);
+        let made: String = (1..count).map(one).collect();
+        let ways = format!("A -[rising(a) && x{}]-> B -[rising(a)]-> A; never B.X && !b && !c;", count - 1);
+        format!(
+            "grafcet C {{ input a, b, c: bool; output q: bool; var {}: bool; initial step A {{ q; x0 if b; {made} }} step B; {ways} }}",
+            names.join(", ")
+        )
+    };
+    fails(&chart(5), "property_violated", "cycle");
+    let message = said(&chart(40));
+    assert!(message[0].starts_with("property_undecided"), "{message:?}");
+}

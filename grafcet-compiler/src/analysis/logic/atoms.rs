@@ -38,7 +38,8 @@ pub(super) struct Atom {
 #[derive(Default)]
 pub(super) struct Atoms {
     all: Vec<Atom>,
-    booleans: Map<Tree, AtomId>,
+    /// Sorted by what they stand for, which is large: there may be many, as each step of a circle has its own.
+    booleans: Vec<AtomId>,
     numbers: Map<Tree, AtomId>,
     orders: Map<Tree, Map<Tree, AtomId>>,
     before: Map<AtomId, AtomId>,
@@ -50,13 +51,21 @@ impl Atoms {
     }
 
     pub(super) fn boolean(&mut self, tree: &Tree) -> AtomId {
-        if let Some(known) = self.booleans.get(tree) {
-            return *known;
-        }
+        let place = match self.booleans.binary_search_by(|known| self.stands_for(*known).cmp(&Some(tree))) {
+            Ok(found) => return self.booleans[found],
+            Err(place) => place,
+        };
         let is_loose = !matches!(tree, Tree::Read(_));
         let atom = self.push(Key::Boolean(tree.clone()), Ranges::from_to(0, 1), is_loose, false, false);
-        self.booleans.insert(tree.clone(), atom);
+        self.booleans.insert(place, atom);
         atom
+    }
+
+    fn stands_for(&self, boolean: AtomId) -> Option<&Tree> {
+        match &self.get(boolean)?.key {
+            Key::Boolean(tree) => Some(tree),
+            _ => None,
+        }
     }
 
     /// A number that is compared with constants.

@@ -27,6 +27,8 @@ pub(crate) struct Compiler<'m> {
     /// What the edges look at, where they are used.
     pub(crate) edges: Arena<EdgeId, Option<Formula>>,
     pub(crate) shared: Arena<SharedId, Formula>,
+    /// How many parts each of them has, written out.
+    sizes: Arena<SharedId, usize>,
     combinational: Map<Place, Option<SharedId>>,
     /// Inside the expression of an edge.
     in_edge: bool,
@@ -37,6 +39,18 @@ pub(crate) struct Compiler<'m> {
     /// Something is taken as unknown that is not, or only partly.
     pub(crate) approximate: bool,
 }
+
+/// How many parts a formula has by itself.
+fn own_parts(formula: &Formula) -> usize {
+    match formula {
+        Formula::Not(inner) => 1 + own_parts(inner),
+        Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => 1 + own_parts(a) + own_parts(b),
+        _ => 1,
+    }
+}
+
+/// What a variable is made of is looked into if what it shares with others has no more parts, written out: it is walked through as if it stood there.
+const LARGE: usize = 10_000;
 
 impl<'m> Compiler<'m> {
     pub(crate) fn new(model: &'m Model, slots: &'m Map<Place, SlotId>, mixed: &'m Set<Place>) -> Self {
@@ -50,6 +64,7 @@ impl<'m> Compiler<'m> {
             differences_of: Map::new(),
             edges: Arena::of(&model.edges, |_, _| None),
             shared: Arena::default(),
+            sizes: Arena::default(),
             combinational: Map::new(),
             in_edge: false,
             was: false,
@@ -211,8 +226,8 @@ impl<'m> Compiler<'m> {
             None => {
                 // While it is being compiled it is unknown to itself: a circle is refused elsewhere.
                 self.combinational.insert(place, None);
-                let formula = self.continuous(place);
-                let shared = formula.map(|formula| self.shared.push(formula));
+                let formula = self.continuous(place).filter(|formula| self.shares(formula) <= LARGE);
+                let shared = formula.map(|formula| self.share(formula));
                 self.combinational.insert(place, shared);
                 shared
             }
@@ -259,7 +274,7 @@ impl<'m> Compiler<'m> {
                 None => asserted.push(asserts),
                 Some(tree) => {
                     // The last in the source wins: `asserts && tree || !asserts && value`.
-                    let asserts = self.shared.push(asserts);
+                    let asserts = self.share(asserts);
                     let on = Formula::Shared(asserts).and(self.formula(tree));
                     value = on.or(Formula::Shared(asserts).negate().and(value));
                     assignments += 1;
@@ -268,6 +283,26 @@ impl<'m> Compiler<'m> {
         }
         // Each assignment lies a level deeper.
         (assignments < 200).then(|| value.or(any(asserted)))
+    }
+
+    fn share(&mut self, formula: Formula) -> SharedId {
+        self.sizes.push(self.shares(&formula).saturating_add(own_parts(&formula)));
+        self.shared.push(formula)
+    }
+
+    /// How many parts what a formula shares with others has, written out wherever it stands.
+    fn shares(&self, formula: &Formula) -> usize {
+        match formula {
+            Formula::Not(inner) => self.shares(inner),
+            Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {
+                self.shares(a).saturating_add(self.shares(b))
+            }
+            Formula::Rising(edge) | Formula::Falling(edge) => {
+                self.edges[*edge].as_ref().map_or(0, |of| self.shares(of).saturating_add(own_parts(of)))
+            }
+            Formula::Shared(index) => self.sizes[*index],
+            Formula::Const(_) | Formula::Is(_) | Formula::Below(..) | Formula::Equals(..) => 0,
+        }
     }
 
     /// A boolean about which nothing is known.
