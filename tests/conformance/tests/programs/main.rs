@@ -21,6 +21,7 @@ mod forks;
 mod growth;
 mod kept;
 mod length;
+mod nearly;
 mod needs;
 mod passes;
 mod regions;
