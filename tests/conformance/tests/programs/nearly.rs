@@ -146,3 +146,18 @@ fn a_search_that_is_longer_than_its_bound_is_stopped() {
         }
     }
 }
+
+/// A stop that would panic beside a step that it does not leave is not asked there.
+#[test]
+fn what_would_panic_elsewhere_is_asked_where_it_does_not() {
+    let mut text = "Line { input a, b, c: bool; output p, q: bool; var k: u8 = 0; initial step Idle { P1 k = 0; } step Stopped { q; P1 k = 0; } \
+                    step T0 { p if a; P1 k = 4; } Idle -[a && !c]-> T0; "
+        .to_owned();
+    for step in 1..16 {
+        _ = write!(text, "step T{step} {{ p if a; }} T{} -[b && {}ms/T{0}]-> T{step}; ", step - 1, 2 + step % 3);
+    }
+    text += "T15 -[!b]-> Idle; Stopped -[!c]-> Idle; any except (Idle, Stopped) -[20 / k > 3 && c]-> Stopped; }";
+    for dialect in ["sfc", "grafcet"] {
+        plays(&format!("{dialect} {text}"));
+    }
+}
