@@ -56,34 +56,27 @@ impl Lamp {
             fence_on_armv6m();
             match now_state_ {
                 __LampState::Off => {
-                    if inputs_.on
-                        && ({
+                    if inputs_.on {
+                        if {
                             let pushed = self.pushed;
                             pushed < 3
-                        })
-                    {
-                        let next_pushed_: core::primitive::u8 = {
-                            let pushed = self.pushed;
-                            (pushed + 1) % 4
-                        };
-                        if evolutions_ == 8 {
-                            self.situation = self.situation.marked();
-                            break;
+                        } {
+                            let next_pushed_: core::primitive::u8 = {
+                                let pushed = self.pushed;
+                                (pushed + 1) % 4
+                            };
+                            if evolutions_ == 8 {
+                                self.situation = self.situation.marked();
+                                break;
+                            } else {
+                                now_state_ = __LampState::On;
+                                self.pushed = next_pushed_;
+                            }
                         } else {
-                            now_state_ = __LampState::On;
-                            self.pushed = next_pushed_;
+                            now_state_ = __LampState::Rest;
                         }
                     } else {
-                        if inputs_.on
-                            && ({
-                                let pushed = self.pushed;
-                                pushed >= 3
-                            })
-                        {
-                            now_state_ = __LampState::Rest;
-                        } else {
-                            break;
-                        }
+                        break;
                     }
                 }
                 __LampState::On => {

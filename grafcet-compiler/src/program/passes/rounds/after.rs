@@ -66,23 +66,28 @@ impl<'t> After<'t> {
 
     /// Takes what is shared out of the ends of the ways of a region.
     pub(super) fn share<'m>(&self, region: usize, ends: &mut [Vec<Unit<'m>>]) -> Shared<'m> {
-        let mut groups = self.groups(region, ends, &Set::new());
-        // What one end does alone goes with what others do, too, if that would have to come after it.
+        let given = self.given.borrow().clone();
+        let led = self.led(region, ends);
+        // What was tried out needs no places.
+        self.given.replace(given);
+        let groups = self.groups(region, ends, &led);
+        self.take(region, &groups, ends)
+    }
+
+    /// What one end does alone, and leaves to what stands after the ways, too: what others share would otherwise have to come after it.
+    fn led(&self, region: usize, ends: &[Vec<Unit<'_>>]) -> Set<usize> {
         let mut led = units(ends);
-        let with_led = self.groups(region, ends, &led);
-        if saved(&with_led) >= saved(&groups) + MUCH {
-            groups = with_led;
-            for unit in units(ends).iter() {
-                led.remove(unit);
-                let less = self.groups(region, ends, &led);
-                if saved(&less) < saved(&groups) {
-                    led.insert(*unit);
-                } else {
-                    groups = less;
-                }
+        let with_all = saved(&self.groups(region, ends, &led));
+        if with_all < saved(&self.groups(region, ends, &Set::new())) + MUCH {
+            return Set::new();
+        }
+        for unit in units(ends).iter() {
+            led.remove(unit);
+            if saved(&self.groups(region, ends, &led)) < with_all {
+                led.insert(*unit);
             }
         }
-        self.take(region, &groups, ends)
+        led
     }
 
     /// Those units of which it pays that they stand after the ways, by the ends that leave them. Of `led` ones a single end may.
