@@ -19,6 +19,7 @@ use proc_macro2::TokenStream;
 mod delays;
 mod forks;
 mod growth;
+mod integers;
 mod kept;
 mod length;
 mod nearly;
