@@ -2,15 +2,15 @@
 //!
 //! Of floats and the user's own types nothing is known: where `a < b` does not hold, `a >= b` need not.
 
-use super::super::User;
+use super::super::{Expr, User};
 use super::uses::same;
 use crate::analysis::integer;
-use crate::model::{Binary, Model, Tree, Unary};
+use crate::model::{Binary, Model, Read, Tree, Unary};
 
 /// Whether a comparison holds where another one has been found to hold, or not to.
 pub(super) fn tells(model: &Model, (told, holds): (&User<'_>, bool), asked: &User<'_>) -> Option<bool> {
-    let bound = told.binds.iter().zip(&asked.binds).all(|((one, a), (other, b))| one == other && same(a, b));
-    if !bound || told.binds.len() != asked.binds.len() {
+    let is_bound = |(read, value): &(Read, Expr<'_>)| told.binds.iter().any(|(one, a)| one == read && same(a, value));
+    if !asked.binds.iter().all(is_bound) {
         return None;
     }
     let (told, asked) = (Comparison::of(model, told.tree)?, Comparison::of(model, asked.tree)?);

@@ -57,6 +57,7 @@ fn comparisons_with_literals() {
         }
     }
     plays("3 > n", "n >= 3");
+    plays("3 > n", "n > 3");
     plays("n > -1", "n <= -1");
 }
 
@@ -66,7 +67,9 @@ fn comparisons_with_each_other() {
         for second in OPERATORS {
             plays(&format!("n {first} m"), &format!("n {second} m"));
         }
-        plays(&format!("n {first} m"), &format!("m {first} n"));
+        for second in OPERATORS {
+            plays(&format!("n {first} m"), &format!("m {second} n"));
+        }
     }
 }
 
@@ -82,8 +85,8 @@ fn asks_again(text: &str) -> bool {
 fn opposites_are_asked_once() {
     let chart = |ty: &str, four: &str| {
         format!(
-            "grafcet Opposites {{ input go: bool; input n: {ty}; output p, q: bool; initial step A; step B {{ p; }} step C {{ q; }} \
-             A -[go && n < {four}]-> B; A -[go && n >= {four}]-> C; B -[!go]-> A; C -[!go]-> A; }}"
+            "grafcet Opposites {{ input go: bool; input n, m: {ty}; output p, q: bool; initial step A; step B {{ p; }} step C {{ q; }} \
+             A -[go && n < {four}]-> B; A -[go && n >= {four}]-> C; B -[!go && m > n]-> A; B -[!go && n >= m]-> C; C -[!go]-> A; }}"
         )
     };
     assert!(!asks_again(&chart("u8", "4")));
