@@ -279,6 +279,7 @@ impl Effect {
 impl Effect {
     /// If the effect acts on `place` as a continuous action can: the value it assigns, or none where it asserts.
     #[must_use]
+    #[allow(clippy::option_option, reason = "none, an assertion, or an assigned value")]
     pub(crate) fn continuous_value(&self, place: Place) -> Option<Option<&Tree>> {
         match self {
             Effect::Control(at) if *at == place => Some(None),

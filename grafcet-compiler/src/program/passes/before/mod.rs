@@ -181,7 +181,9 @@ impl Before {
         program.places.push(PlaceInfo::local(name, ty, initial));
         let was = PlaceId(program.places.len() - 1);
         let is_begin = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Now) if *place == region.since);
-        blocks_mut(&mut cycle[at]).into_iter().for_each(|block| remove(block, &is_begin));
+        for block in blocks_mut(&mut cycle[at]) {
+            remove(block, &is_begin);
+        }
         let goes = compare(Comparison::Differs, Expr::Place(was), Expr::Place(region.state));
         let begins = Statement::If(goes, vec![Statement::Set(region.since, Expr::Now)], Vec::new());
         cycle.insert(at + 1, begins);

@@ -81,7 +81,7 @@ impl<'t> After<'t> {
         if with_all < saved(&self.groups(region, ends, &Set::new())) + MUCH {
             return Set::new();
         }
-        for unit in units(ends).iter() {
+        for unit in &units(ends) {
             led.remove(unit);
             if saved(&self.groups(region, ends, &led)) < with_all {
                 led.insert(*unit);
