@@ -2,6 +2,7 @@
 
 /// Hands all charts with their inputs and outputs to a macro. Inputs that are one bit of a word come first; another one
 /// says how the bits above become its value. Outputs that are not boolean stand after the others, with their type.
+/// The records in C have the same fields in this order; a name that is a word of C has an underscore there (`auto_`).
 macro_rules! with_signals {
     ($to:ident) => {
         $to! {

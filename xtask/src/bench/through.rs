@@ -27,8 +27,12 @@ pub(crate) fn run(words: &[&str]) -> Result {
         println!("{:24} {:>28} {:>28} {:>28}", "", "recorded", "through", "by hand");
         for (name, cost) in &measured {
             let before = recorded.find(target, name, AUTHORS[0])?;
-            if before.is_none_or(|before| before.hash != cost.hash) {
-                problems.push(format!("{target}: {name} has other outputs than recorded"));
+            match before {
+                None => problems.push(format!("{target}: {name} is not recorded")),
+                Some(before) if before.hash != cost.hash => {
+                    problems.push(format!("{target}: {name} has other outputs than recorded"));
+                }
+                Some(_) => {}
             }
             let hand = best(&recorded, target, name)?;
             let worse = before.is_some_and(|before| FIGURES.iter().any(|figure| is_more(figure, cost, &before)));

@@ -16,7 +16,7 @@
 //! So runs stored actions (S, SD, SL with more than a boolean), and calls that many associations hold up: as many statements as there are such associations, which each way of each
 //! state would have. What they leave in fields is not followed from state to state.
 
-use super::super::{PlaceId, PlaceInfo, Role, Statement};
+use super::super::{PlaceInfo, Role, Statement};
 use super::several::weight;
 use super::sparse::Index;
 use super::uses::{Effects, blocks};
@@ -60,8 +60,7 @@ pub(super) fn apart<'m>(
         if is_tail[at] {
             continue;
         }
-        let is_local = |place: &PlaceId| !places[place.0].is_field;
-        let is_own = effects[at].writes.iter().all(|place| is_local(place) && !kept.reads.contains(place));
+        let is_own = effects[at].writes.iter().all(|place| !places[place.0].is_field);
         let is_anywhere = matches!(list[at], Statement::Set(..)) && index.always.binary_search(&at).is_ok();
         is_tail[at] = is_own && is_anywhere && effects[at].may_swap(&kept);
         if !is_tail[at] {

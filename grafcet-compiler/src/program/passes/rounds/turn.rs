@@ -210,8 +210,8 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     #[allow(clippy::type_complexity, reason = "two lists")]
     fn in_front(&self, list: &[Statement<'m>], states: usize) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
         first_of(list, &|at, statement| match statement {
-            Statement::Set(place, value @ Expr::Is(..)) if states >= TOLD => {
-                let is_own = !self.is_kept(*place) && is_pure(value);
+            Statement::Set(place, Expr::Is(..)) if states >= TOLD => {
+                let is_own = !self.is_kept(*place);
                 is_own && !list[at + 1..].iter().any(|other| reads_from(other, *place))
             }
             _ => false,

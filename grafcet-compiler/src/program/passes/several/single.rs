@@ -7,7 +7,7 @@ use super::super::parts::Part;
 use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
-use super::super::uses::{Effects, each_asked, each_read, each_written, first_of, is_pure, sum, writes_to};
+use super::super::uses::{Effects, each_asked, each_read, each_written, first_of, sum, writes_to};
 use super::{Env, Several, Tie};
 use crate::list::List;
 use crate::model::{Id, StepId};
@@ -65,11 +65,11 @@ impl<'m> Several<'_, 'm> {
     fn of_others(&self, region: usize, list: &[Statement<'m>], env: &Env) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
         let later = self.later(env);
         first_of(list, &|_, statement| match statement {
-            Statement::Set(place, value @ Expr::Is(of, _)) => {
+            Statement::Set(place, Expr::Is(of, _)) => {
                 let is_own = *of == self.states[region] || Some(*of) == self.was[region];
                 let kept = |one: &Statement<'m>| matches!(one, Statement::Set(_, Expr::Place(of)) if of == place);
                 let is_told = later.contains(*place) || list.iter().any(kept);
-                !is_own && is_told && !self.places[place.0].is_field && is_pure(value)
+                !is_own && is_told && !self.places[place.0].is_field
             }
             _ => false,
         })
