@@ -208,14 +208,14 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "what is paused clears by the push button (A39)",
         charts: Some("a39"),
         file: MODES,
-        right: "let running = make.and(not(make.input(modes.paused)), make.or(make.pushed(modes.pushed), automatic));",
-        wrong: "let running = make.or(make.pushed(modes.pushed), make.and(not(make.input(modes.paused)), automatic));",
+        right: "let running = and(not(make.input(modes.paused)), or(make.pushed(modes.pushed), automatic));",
+        wrong: "let running = or(make.pushed(modes.pushed), and(not(make.input(modes.paused)), automatic));",
     },
     Fault {
         name: "semi-automatic needs no push button (A39)",
         charts: Some("a39"),
         file: MODES,
-        right: "let automatic = make.and(not(manual.clone()), not(make.input(modes.semi_automatic)));",
+        right: "let automatic = and(not(manual.clone()), not(make.input(modes.semi_automatic)));",
         wrong: "let automatic = not(manual.clone());",
     },
     Fault {
