@@ -102,9 +102,9 @@ impl Resolver<'_> {
         // By hand a chart comes to any situation: what is proved is about its own ways. That the button is not pushed leaves everything out that clears by
         // hand, and nothing else: what reads `manual` itself still is either.
         let make = Make { resolver: self, at: keyword.into() };
-        let mut never = and(make.input(manual), make.input(push));
-        "manual && push".clone_into(&mut never.text);
-        self.model.assumptions.push(Assumption { never, mark: keyword.into(), of_range: None });
+        let (text, mark) = ("manual && push".to_owned(), keyword.into());
+        let never = Expr { text, mark, ..and(make.input(manual), make.input(push)) };
+        self.model.assumptions.push(Assumption { never, mark, of_range: None });
         let is_twice = self.told_twice();
         let mut idle: Vec<PartialId> = here.iter().map(|(partial, _)| *partial).list();
         let mut held: Vec<TransitionId> = Vec::new();

@@ -2,11 +2,7 @@
 
 use std::fmt::Write as _;
 
-use grafcet_compiler::program::passes::Pass;
-use grafcet_conformance::program::rests;
-use grafcet_conformance::reader;
-
-use super::passes::{drawn, each_left_out, kettle, storm};
+use super::passes::{drawn, each_left_out, storm};
 use super::read;
 
 fn plays(chart: &str) {
@@ -145,12 +141,4 @@ fn what_would_panic_elsewhere_is_asked_where_it_does_not() {
     for dialect in ["sfc", "grafcet"] {
         plays(&format!("{dialect} {text}"));
     }
-}
-
-/// A step that waits for an input when its time is over wants no cycle for that time any more: the state that the cycle is said to have begun with tells so, and not that it has moved.
-#[test]
-fn what_waits_for_an_input_alone_sleeps() {
-    let model = read(&kettle(""));
-    let lines = reader::read(&storm(&["a", "b", "c"], 300)).expect("a timeline").lines;
-    assert_eq!(rests(&model, &lines, &Pass::ALL), Ok(()));
 }
