@@ -1,22 +1,26 @@
 //! How the outputs are cleared when a cycle begins.
 //!
-//! LLVM clears up to sixteen bytes word by word for the ARM. For more it calls `memclr`, which takes some forty instructions and a hundred
-//! bytes. Something else that stands between the zeros makes two pieces of them.
+//! LLVM clears bytes for the ARM by four stores at most: sixteen bytes are four words, fifteen would be three words and two smaller ones. For more it calls `memclr`, which
+//! takes some forty instructions and a hundred bytes. Something else that stands between the zeros makes two pieces of them.
 
 use std::cmp::Reverse;
 
 use super::types;
-use crate::model::{Id, Model, OutputId};
+use crate::model::{Id, Model, OutputId, Tree};
+use crate::program::Fence;
 use crate::sorted::sort_by_key;
 
-/// So many bytes are cleared at once.
+/// So many bytes are cleared at once,
 const PIECE: usize = 16;
+
+/// but not so many.
+const ODD: usize = 15;
 
 /// The word between two pieces, so that the next one begins at a word, too.
 const BETWEEN: usize = 4;
 
-/// The outputs as they lie in memory, the large ones first, and the bytes of each, where they are cleared in pieces. They stand in this order in the struct, which keeps it, and are
-/// written in it.
+/// The outputs as they lie in memory, and the bytes of each, where they are cleared in pieces: those first that begin with zero, so that these lie together from a word on, and of
+/// them the large ones first. They stand in this order in the struct, which keeps it, and are written in it.
 pub(super) fn in_pieces(model: &Model) -> Option<Vec<(OutputId, usize)>> {
     let (mut fields, mut all) = (Vec::new(), 0);
     for (id, output) in model.outputs.iter() {
@@ -25,8 +29,11 @@ pub(super) fn in_pieces(model: &Model) -> Option<Vec<(OutputId, usize)>> {
         fields.push((id, bytes.into()));
         all += usize::from(bytes);
     }
-    sort_by_key(&mut fields, |(id, bytes)| (Reverse(*bytes), id.index()));
-    (all > PIECE).then_some(fields)
+    let is_zero = |id: OutputId| {
+        model.outputs[id].init.as_ref().is_none_or(|init| matches!(init.tree, Tree::Bool(false) | Tree::Int(0)))
+    };
+    sort_by_key(&mut fields, |(id, bytes)| (!is_zero(*id), Reverse(*bytes), id.index()));
+    (all >= ODD).then_some(fields)
 }
 
 /// What a cycle begins with.
@@ -40,11 +47,17 @@ pub(super) enum Begins {
     Other,
 }
 
-/// The outputs that stand between the pieces.
-pub(super) fn between(model: &Model, begins: &dyn Fn(OutputId) -> Begins) -> Vec<OutputId> {
+/// The outputs that stand between the pieces, and where they have to: only processors without unaligned stores need more than four for fifteen bytes.
+pub(super) fn between(model: &Model, begins: &dyn Fn(OutputId) -> Begins) -> (Vec<OutputId>, Option<Fence>) {
     let (mut between, mut piece, mut missing) = (Vec::new(), 0, 0);
+    let (mut odd, mut last) = (Vec::new(), None);
     for (id, bytes) in in_pieces(model).unwrap_or_default() {
-        match begins(id) {
+        let begins = begins(id);
+        if begins == Begins::Other && piece == ODD {
+            odd.extend(last);
+        }
+        last = (begins == Begins::Cleared).then_some(id);
+        match begins {
             Begins::Other => (piece, missing) = (0, 0),
             Begins::Cleared if missing > 0 || piece + bytes > PIECE => {
                 let all: usize = if missing > 0 { missing } else { BETWEEN };
@@ -54,7 +67,12 @@ pub(super) fn between(model: &Model, begins: &dyn Fn(OutputId) -> Begins) -> Vec
             Begins::Cleared | Begins::Zero => (piece, missing) = (piece + bytes, 0),
         }
     }
-    between
+    if piece == ODD {
+        odd.extend(last);
+    }
+    let fence = if between.is_empty() { (!odd.is_empty()).then_some(Fence::Armv6m) } else { Some(Fence::Memory) };
+    between.extend(odd);
+    (between, fence)
 }
 
 #[cfg(test)]
@@ -80,7 +98,7 @@ mod tests {
             _ => Begins::Cleared,
         };
         let names: Vec<String> =
-            between(&model, &begins).into_iter().map(|id| model.outputs[id].name.to_string()).collect();
+            between(&model, &begins).0.into_iter().map(|id| model.outputs[id].name.to_string()).collect();
         names.join(" ")
     }
 
@@ -91,6 +109,12 @@ mod tests {
             format!("output {}: bool;", names.join(", "))
         };
         assert_eq!(names(&truths(16)), "");
+        // Fifteen take five stores.
+        assert_eq!(names(&truths(14)), "");
+        assert_eq!(names(&truths(15)), "q14");
+        assert_eq!(names(&truths(35)), "q16 q17 q18 q19 q34");
+        assert_eq!(names(&format!("{} output n: u8 = 0;", truths(14))), "n");
+        assert_eq!(names(&format!("{} output n: u16;", truths(13))), "q12");
         assert_eq!(names(&truths(17)), "q16");
         assert_eq!(names(&truths(30)), "q16 q17 q18 q19");
         // The large ones come first, wherever they are declared.
@@ -98,10 +122,14 @@ mod tests {
         assert_eq!(names(&format!("{} output n: u16;", truths(40))), "q14 q15 q16 q17 q34 q35 q36 q37");
         assert_eq!(names(&format!("{} output n: u8; output o: i16;", truths(14))), "n");
         assert_eq!(names(&format!("{} output x: f64;", truths(10))), "");
-        // What begins with something else stands between, too.
-        assert_eq!(names(&format!("output x: u32; {}", truths(16))), "");
-        assert_eq!(names(&format!("output x: bool; {}", truths(16))), "");
-        assert_eq!(names(&format!("{} output x: bool; output r, s, t, u: bool;", truths(15))), "");
+        // What begins with something else comes last, so that the zeros begin at a word.
+        assert_eq!(names(&format!("output x: u32 = 7; {}", truths(16))), "");
+        assert_eq!(names(&format!("output x: u8 = 7; {}", truths(16))), "");
+        assert_eq!(names(&format!("output x: u8 = 7; {}", truths(15))), "q14");
+        assert_eq!(names(&format!("output x: u8 = 7; {}", truths(14))), "");
+        // Nobody knows whether it is the same to the cycle: it stands between, too.
+        assert_eq!(names(&format!("{} output x: bool; output r, s, t, u: bool;", truths(15))), "q14");
+        assert_eq!(names(&format!("{} output x: bool; output r, s, t, u: bool;", truths(16))), "");
         assert_eq!(names(&format!("{} output x: bool; output r, s, t, u: bool;", truths(17))), "q16");
         // What is stored elsewhere is zero first, but cannot be cleared a second time.
         assert_eq!(names(&format!("output z: u32; {}", truths(13))), "q12");

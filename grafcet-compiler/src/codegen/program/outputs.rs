@@ -13,7 +13,7 @@ impl Printer<'_, '_> {
     /// The outputs as each cycle begins with them.
     pub(super) fn first_outputs(&self) -> TokenStream {
         let (name, model, p) = (&self.cx.names.outputs, self.cx.model, &self.cx.p);
-        let between = cleared::between(model, &|id| self.begins(id));
+        let (between, fence) = cleared::between(model, &|id| self.begins(id));
         let (mut first, mut then) = (TokenStream::new(), TokenStream::new());
         let mut mutable = None;
         for (id, output) in model.outputs.iter() {
@@ -34,8 +34,8 @@ impl Printer<'_, '_> {
             }
         }
         let first = quote!(#name { #first });
-        if !between.is_empty() {
-            let fence = self.fence();
+        if let Some(fence) = fence {
+            let fence = self.fence(fence);
             return quote!(let #mutable outputs_ = #first; #fence #then);
         }
         let is_plain = model.outputs.values().all(|output| output.init.is_none() && matches!(output.ty, Ty::Bool(_)));

@@ -106,28 +106,23 @@ impl<'m> Printer<'_, 'm> {
                 let args = args.iter().map(|arg| self.value(arg)).list();
                 quote!(actions_.#name(#phase, #(#args),*);)
             }
-            Statement::Fence(Fence::Inputs) => {
-                let p = &self.cx.p;
-                quote!(let inputs_ = #p::core::hint::black_box(inputs_);)
-            }
-            Statement::Fence(Fence::Memory) => self.fence(),
-            Statement::Fence(Fence::Armv6m) => {
-                let p = &self.cx.p;
-                quote!(#p::fence_on_armv6m();)
-            }
-            Statement::Fence(Fence::BeyondArmv6m) => {
-                let p = &self.cx.p;
-                quote!(#p::fence_beyond_armv6m();)
-            }
+            Statement::Fence(fence) => self.fence(*fence),
             Statement::Part(..) | Statement::Mark(_) => TokenStream::new(),
         }
     }
 
     /// Nothing is moved across it.
-    pub(super) fn fence(&self) -> TokenStream {
+    pub(super) fn fence(&self, fence: Fence) -> TokenStream {
         let p = &self.cx.p;
-        let atomic = quote!(#p::core::sync::atomic);
-        quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
+        match fence {
+            Fence::Inputs => quote!(let inputs_ = #p::core::hint::black_box(inputs_);),
+            Fence::Memory => {
+                let atomic = quote!(#p::core::sync::atomic);
+                quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
+            }
+            Fence::Armv6m => quote!(#p::fence_on_armv6m();),
+            Fence::BeyondArmv6m => quote!(#p::fence_beyond_armv6m();),
+        }
     }
 
     /// A loop; where there is one round, a block that can be left.

@@ -16,7 +16,6 @@ use super::super::{Expr, PlaceId, Program, Statement, Value};
 use super::engine::{Fact, Leaf, Tree};
 use super::fold::initial;
 use super::sparse::States;
-use super::split::each_leaf;
 use super::uses::{Effects, same_statement, writes_to};
 
 /// A local that some way to a state sets from a field.
@@ -32,7 +31,7 @@ struct Copied<'m> {
 pub(super) fn pass(program: &Program<'_>, points: &States, fields: &[PlaceId], trees: &mut [Option<Tree<'_>>]) {
     let mut copied: Vec<Copied<'_>> = Vec::new();
     for tree in trees.iter().flatten() {
-        each_leaf(tree, &mut |leaf| {
+        tree.each_leaf(&mut |leaf| {
             for (place, statement) in leaf.body.iter().enumerate() {
                 let Statement::Set(local, Expr::Place(field)) = statement else { continue };
                 let Some(at) = fields.iter().position(|other| other == field) else { continue };

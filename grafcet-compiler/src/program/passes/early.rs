@@ -12,7 +12,6 @@
 use super::super::{Expr, PlaceId, Statement, Value};
 use super::engine::{End, Leaf, Tree};
 use super::sparse::States;
-use super::split::each_leaf;
 use super::uses::same_block;
 use crate::model::StepId;
 use crate::sorted::Set;
@@ -44,7 +43,7 @@ impl Early<'_> {
         let to = |leaf: &Leaf<'m>| self.points.point(leaf.state).filter(|_| !leaf.breaks);
         let mut all_end = true;
         for tree in trees.iter().flatten() {
-            each_leaf(tree, &mut |leaf| all_end &= to(leaf).is_none_or(|to| rests[to].is_some()));
+            tree.each_leaf(&mut |leaf| all_end &= to(leaf).is_none_or(|to| rests[to].is_some()));
         }
         if !all_end {
             let mut alike = rests.into_iter().flatten();

@@ -26,7 +26,6 @@ use super::dead::read_after;
 use super::edits::replaced;
 use super::engine::{End, Fact, Leaf, Tree};
 use super::live::{Live, Places};
-use super::split::each_leaf;
 use super::uses::{Effects, is_read_in};
 use crate::model::StepId;
 
@@ -135,7 +134,7 @@ fn begun_after<'m>(program: &mut Program<'m>, forest: &mut Forest<'_, 'm>, time:
     let (mut begins, after) = (true, read_after(program));
     for (tree, from) in forest.trees.iter().zip(forest.points) {
         let Some(tree) = tree else { continue };
-        each_leaf(tree, &mut |leaf| {
+        tree.each_leaf(&mut |leaf| {
             begins &= time.is_begun(leaf, forest.fields) == (leaf.state != *from);
             begins &= leaf.state == *from || !asks(&after, leaf, time.place);
         });
@@ -195,7 +194,7 @@ impl Moved {
         for (tree, from) in forest.trees.iter().zip(forest.points) {
             let Some(tree) = tree else { continue };
             told &= !self.is_written(tree);
-            each_leaf(tree, &mut |leaf| {
+            tree.each_leaf(&mut |leaf| {
                 let (stays, goes) = (self.has(leaf, true), self.has(leaf, false));
                 let is_over = passed.is_some_and(|at| leaf.facts.get(at) != Some(&Fact::Is(Value::Bool(false))));
                 let tells = leaf.state == *from && !stays && !goes && leaf.body.iter().any(|one| self.tells(one));
@@ -259,7 +258,7 @@ impl Moved {
         let (mut begins, after) = (true, read_after(program));
         for (tree, from) in forest.trees.iter().zip(forest.points) {
             let Some(tree) = tree else { continue };
-            each_leaf(tree, &mut |leaf| {
+            tree.each_leaf(&mut |leaf| {
                 let goes = leaf.state != *from || self.has(leaf, false);
                 begins &= self.time.is_begun(leaf, forest.fields) == goes;
                 begins &= !goes || !asks(&after, leaf, self.time.place);

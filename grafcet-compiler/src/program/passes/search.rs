@@ -27,7 +27,7 @@ use super::flat::flat;
 use super::live::{Live, Places};
 use super::share;
 use super::sparse::{Index, States};
-use super::split::{each_leaf, meet, merged};
+use super::split::{meet, merged};
 use super::told::{self, Told};
 use super::uses::{Effects, is_written_in, writes_to};
 use crate::sorted::Set;
@@ -158,7 +158,7 @@ impl<'m> Search<'m> {
         }
         let mut rounds = 1;
         for tree in trees.iter().flatten() {
-            each_leaf(tree, &mut |leaf| rounds = if leaf.breaks { rounds } else { self.rounds });
+            tree.each_leaf(&mut |leaf| rounds = if leaf.breaks { rounds } else { self.rounds });
         }
         let mut cycle = before;
         if rounds == 1 {
@@ -244,7 +244,7 @@ impl<'m> Search<'m> {
             open.remove(&point);
             let tree = engine.from(point, &[(self.state, Fact::Is(self.points.all[point]))], WAYS)?;
             let mut lost = false;
-            each_leaf(&tree, &mut |leaf| match self.points.point(leaf.state) {
+            tree.each_leaf(&mut |leaf| match self.points.point(leaf.state) {
                 None => lost = true,
                 Some(to) if leaf.breaks => _ = meet(&mut ends[to], leaf.facts.clone()),
                 // What only looks as if it went on would not come back to a step.

@@ -17,11 +17,10 @@
 //!
 //! Needs: the situation is the state of one region; no loop; on each way the next state is known, and it is no first cycle any more.
 
-use super::super::build::not;
-use super::super::{Arm, Deadline, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
+use super::super::{Arm, Deadline, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::alike;
 use super::dead::read_after;
-use super::engine::{End, Engine, Excluding, Fact, Leaf, Lost, Tree, beginning};
+use super::engine::{End, Engine, Excluding, Fact, Lost, Tree, beginning};
 use super::flat::{flat, samples_first};
 use super::fold::initial;
 use super::live::Live;
@@ -33,7 +32,7 @@ use super::sparse::{Index, States};
 use super::starting;
 use super::tail;
 use super::told;
-use super::uses::{Effects, each_asked, mentions, same_block, writes_to};
+use super::uses::{Effects, each_asked, is_read_in, mentions, same_block, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -61,6 +60,18 @@ struct Split {
     fields: Vec<PlaceId>,
 }
 
+/// What the ways are made of.
+struct Source<'s, 'm> {
+    list: &'s [Statement<'m>],
+    index: &'s Index,
+    /// What is false in front of it.
+    assumed: &'s [bool],
+    /// What comes after them in any case.
+    tail: &'s [Statement<'m>],
+    /// Fields that nobody follows.
+    unknown: &'s [PlaceId],
+}
+
 pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
     let before = program.places.len();
     let Some((list, index, assumed)) = listed(program) else { return };
@@ -69,14 +80,42 @@ pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
     let other = apart.and_then(|(ways, tail)| {
         let mut other = program.clone();
         let index = indexed(&other, &ways, &assumed)?;
-        by_ways(&mut other, (&ways, &index, &assumed), &tail, options).then_some(other)
+        let source = Source { list: &ways, index: &index, assumed: &assumed, tail: &tail, unknown: &[] };
+        by_ways(&mut other, &source, options).then_some(other)
     });
-    if !by_ways(program, (&list, &index, &assumed), &[], options) {
+    let is_stored = |place: &PlaceInfo<'_>| matches!(place.role, Role::FlipFlop(..));
+    let lowered = program.places.iter().any(is_stored).then(|| program.clone());
+    let source = Source { list: &list, index: &index, assumed: &assumed, tail: &[], unknown: &[] };
+    if by_ways(program, &source, options) {
+        if let Some(shorter) = lowered.and_then(|lowered| stored(lowered, program, &source, options)) {
+            *program = shorter;
+        }
+    } else {
         program.places.truncate(before);
     }
     if let Some(other) = other.filter(|other| 4 * weight(&other.cycle) < 3 * weight(&program.cycle)) {
         *program = other;
     }
+}
+
+/// Stored outputs that not all states tell stay fields: what they hold is copied once in each cycle, and states that know it do not write it anew. Where that makes the cycle much longer, `known`
+/// is better.
+fn stored<'m>(
+    mut lowered: Program<'m>,
+    known: &Program<'m>,
+    source: &Source<'_, 'm>,
+    options: &Options,
+) -> Option<Program<'m>> {
+    let mut unknown = Vec::new();
+    for (index, place) in lowered.places.iter().enumerate() {
+        if matches!(place.role, Role::FlipFlop(..)) && is_read_in(&known.cycle, PlaceId(index)) {
+            unknown.push(PlaceId(index));
+        }
+    }
+    let is_better = !unknown.is_empty()
+        && by_ways(&mut lowered, &Source { unknown: &unknown, ..*source }, options)
+        && 10 * weight(&lowered.cycle) <= 11 * weight(&known.cycle);
+    is_better.then_some(lowered)
 }
 
 /// The cycle as a list, where each statement matters, and what is false in front of it.
@@ -100,19 +139,14 @@ fn indexed(program: &Program<'_>, list: &[Statement<'_>], assumed: &[bool]) -> O
     Index::of(&program.places, list, split.state, Some(split.first), assumed, &split.points)
 }
 
-/// The cycle by its ways, and what comes after them in any case. Whether that is possible.
-fn by_ways<'m>(
-    program: &mut Program<'m>,
-    (list, index, assumed): (&[Statement<'m>], &Index, &[bool]),
-    tail: &[Statement<'m>],
-    options: &Options,
-) -> bool {
+/// The cycle by its ways. Whether that is possible.
+fn by_ways<'m>(program: &mut Program<'m>, source: &Source<'_, 'm>, options: &Options) -> bool {
     let Some(mut split) = Split::of(program) else { return false };
-    let written = Effects::of_all(tail).writes;
-    split.fields.retain(|field| !written.contains(field));
-    match split.trees(program, list, index, assumed, options) {
+    let written = Effects::of_all(source.tail).writes;
+    split.fields.retain(|field| !written.contains(field) && !source.unknown.contains(field));
+    match split.trees(program, source, options) {
         Ok(trees) => {
-            split.put_together(program, trees, tail, options);
+            split.put_together(program, trees, source.tail, options);
             true
         }
         Err(Lost) => false,
@@ -143,15 +177,13 @@ impl Split {
     fn trees<'m>(
         &self,
         program: &Program<'m>,
-        list: &[Statement<'m>],
-        index: &Index,
-        assumed: &[bool],
+        source: &Source<'_, 'm>,
         options: &Options,
     ) -> Result<Vec<Option<Tree<'m>>>, Lost> {
         let places = &program.places;
         let with_first = [&self.fields[..], &[self.first]].concat();
-        let env = beginning(places, assumed, false);
-        let mut engine = Engine::new(places, (list, index), self.state, &self.points, &with_first, env);
+        let env = beginning(places, source.assumed, false);
+        let mut engine = Engine::new(places, (source.list, source.index), self.state, &self.points, &with_first, env);
         engine.excluding = Excluding::of(&program.search.excluding, places.len());
         let mut known: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         known[0] = Some(self.fields.iter().map(|place| at_start(program, *place, options)).collect());
@@ -170,7 +202,7 @@ impl Split {
             given.extend(self.fields.iter().copied().zip(facts));
             let tree = engine.from(point, &given, WAYS)?;
             let mut leaves = Vec::new();
-            each_leaf(&tree, &mut |leaf| leaves.push((leaf.state, leaf.facts.clone())));
+            tree.each_leaf(&mut |leaf| leaves.push((leaf.state, leaf.facts.clone())));
             for (state, mut facts) in leaves {
                 // The next cycle must not be a first one.
                 if facts.pop() != Some(Fact::Is(Value::Bool(false))) {
@@ -319,52 +351,6 @@ pub(super) fn merged(arms: Vec<Arm<'_>>) -> Vec<Arm<'_>> {
         }
     }
     all
-}
-
-pub(super) fn each_leaf<'m>(tree: &Tree<'m>, each: &mut dyn FnMut(&Leaf<'m>)) {
-    match &tree.end {
-        End::Leaf(leaf) => each(leaf),
-        End::Fork(_, ways) => ways.iter().for_each(|way| each_leaf(way, each)),
-    }
-}
-
-impl<'m> Tree<'m> {
-    pub(super) fn each_leaf_mut(&mut self, each: &mut dyn FnMut(&mut Leaf<'m>)) {
-        match &mut self.end {
-            End::Leaf(leaf) => each(leaf),
-            End::Fork(_, ways) => ways.iter_mut().for_each(|way| way.each_leaf_mut(each)),
-        }
-    }
-
-    pub(super) fn copy(&self) -> Self {
-        let end = match &self.end {
-            End::Leaf(leaf) => End::Leaf(Leaf { body: leaf.body.clone(), facts: Vec::new(), ..*leaf }),
-            End::Fork(condition, ways) => End::Fork(condition.clone(), Box::new([ways[0].copy(), ways[1].copy()])),
-        };
-        Self { body: self.body.clone(), end }
-    }
-
-    pub(super) fn statements(self) -> Vec<Statement<'m>> {
-        let mut body = self.body;
-        match self.end {
-            End::Leaf(leaf) => {
-                body.extend(leaf.body);
-                if leaf.breaks {
-                    body.push(Statement::Break);
-                }
-            }
-            End::Fork(condition, ways) => {
-                let [then, otherwise] = *ways;
-                let (then, otherwise) = (then.statements(), otherwise.statements());
-                body.push(if then.is_empty() {
-                    Statement::If(not(condition), otherwise, then)
-                } else {
-                    Statement::If(condition, then, otherwise)
-                });
-            }
-        }
-        body
-    }
 }
 
 /// What is known on both of two ways. Whether that is less than before.

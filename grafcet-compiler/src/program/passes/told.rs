@@ -19,7 +19,6 @@ use super::edits::unset;
 use super::engine::{End, Fact, Tree};
 use super::fold::initial;
 use super::sparse::States;
-use super::split::each_leaf;
 use super::uses::{Effects, blocks, each_read, mentions, reads_from};
 use crate::sorted::{Map, Set};
 
@@ -55,7 +54,7 @@ fn is_candidate(program: &Program<'_>, field: PlaceId) -> bool {
 fn values_of(trees: &[Option<Tree<'_>>], at: usize) -> Option<Vec<bool>> {
     let (mut values, mut ways) = (Vec::new(), 0);
     for tree in trees.iter().flatten() {
-        each_leaf(tree, &mut |leaf| {
+        tree.each_leaf(&mut |leaf| {
             ways += 1;
             if let Some(Fact::Is(Value::Bool(value))) = leaf.facts.get(at) {
                 values.push(*value);

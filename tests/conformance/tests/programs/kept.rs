@@ -123,6 +123,27 @@ fn an_output_that_is_more_than_its_memory_is_set_from_it_once() {
     }
 }
 
+/// What a stored output holds is asked of its field wherever one state does not tell it: no way of the evolution has to bring it along. Where all states tell it, there is no field.
+#[test]
+fn a_stored_output_that_not_all_states_tell_stays_a_field() {
+    let unsure = include_str!("../../../golden/shapes/stored_unsure.chart");
+    let told = unsure.replace("step Fault { red; }", "step Fault { red; R clamp; }");
+    let program = text(unsure);
+    let evolution = program.split_once("match after").map(|(evolution, _)| evolution).unwrap_or_default();
+    assert_eq!(evolution.matches("S_FF.clamp").count(), 1, "{program}");
+    assert!(program.contains("clamp = S_FF.clamp"), "{program}");
+    assert!(!text(&told).contains("S_FF.clamp"), "{}", text(&told));
+    for dialect in ["sfc", "grafcet"] {
+        for chart in [unsure, &told] {
+            each_left_out(
+                &read(&chart.replacen("sfc", dialect, 1)),
+                &storm(&["start", "closed", "done", "ack"], 300),
+                150,
+            );
+        }
+    }
+}
+
 /// A door that one branch opens and shuts.
 pub(super) fn doors(heat: &str, act: &str) -> String {
     format!(

@@ -1,5 +1,6 @@
 //! What is done on all ways from one state.
 
+use super::super::super::build::not;
 use super::super::super::{Expr, Statement, Value};
 use super::facts::Fact;
 
@@ -28,3 +29,49 @@ pub(in super::super) struct Leaf<'m> {
 
 /// The state is not known in the end, or there are too many ways.
 pub(in super::super) struct Lost;
+
+impl<'m> Tree<'m> {
+    pub(in super::super) fn each_leaf(&self, each: &mut dyn FnMut(&Leaf<'m>)) {
+        match &self.end {
+            End::Leaf(leaf) => each(leaf),
+            End::Fork(_, ways) => ways.iter().for_each(|way| way.each_leaf(each)),
+        }
+    }
+
+    pub(in super::super) fn each_leaf_mut(&mut self, each: &mut dyn FnMut(&mut Leaf<'m>)) {
+        match &mut self.end {
+            End::Leaf(leaf) => each(leaf),
+            End::Fork(_, ways) => ways.iter_mut().for_each(|way| way.each_leaf_mut(each)),
+        }
+    }
+
+    pub(in super::super) fn copy(&self) -> Self {
+        let end = match &self.end {
+            End::Leaf(leaf) => End::Leaf(Leaf { body: leaf.body.clone(), facts: Vec::new(), ..*leaf }),
+            End::Fork(condition, ways) => End::Fork(condition.clone(), Box::new([ways[0].copy(), ways[1].copy()])),
+        };
+        Self { body: self.body.clone(), end }
+    }
+
+    pub(in super::super) fn statements(self) -> Vec<Statement<'m>> {
+        let mut body = self.body;
+        match self.end {
+            End::Leaf(leaf) => {
+                body.extend(leaf.body);
+                if leaf.breaks {
+                    body.push(Statement::Break);
+                }
+            }
+            End::Fork(condition, ways) => {
+                let [then, otherwise] = *ways;
+                let (then, otherwise) = (then.statements(), otherwise.statements());
+                body.push(if then.is_empty() {
+                    Statement::If(not(condition), otherwise, then)
+                } else {
+                    Statement::If(condition, then, otherwise)
+                });
+            }
+        }
+        body
+    }
+}
