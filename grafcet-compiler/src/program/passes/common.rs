@@ -13,18 +13,20 @@
 //!     else if empty: state = Idle
 //! ```
 //!
-//! Arms that do the same as a whole, as alarms that wait for the same button, are one arm, if that is much: of a state that stays LLVM knows in its own arm which one it is.
+//! Arms that do the same as a whole, as alarms that wait for the same button, are one arm, if that is much: of a state that stays LLVM knows in its own arm which one it is. If what follows asks
+//! whether the state has changed, arms that change it stay apart: in an arm of its own LLVM knows the answer. Else the state before has to be known after the jump, for which a jump table on ARMv6-M
+//! has a word for each step (a robot's cell of 40 steps takes 1368 bytes so, and 1180 apart).
 //!
 //! Needs: they do the same then. Other passes look for the match, so it comes after them.
 
 use super::super::build::all;
 use super::super::costs::questions;
-use super::super::{Arm, Expr, Program, Statement, Value};
+use super::super::{Arm, Comparison, Expr, PlaceId, Program, Statement, Value};
 use super::edits::blocks_mut;
 use super::many::{groups, sum_of, sum_of_block};
 use super::once::size;
 use super::split::merged;
-use super::uses::{is_plain, is_pure, same, same_block};
+use super::uses::{is_plain, is_pure, is_written_in, same, same_block};
 use crate::model::StepId;
 use crate::sorted::sort;
 
@@ -38,26 +40,34 @@ const GAIN: usize = 12;
 const GAIN_IN_SEARCH: usize = 24;
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    block(&mut program.cycle, GAIN);
+    let mut compared = Vec::new();
+    for statement in &program.cycle {
+        if let Statement::If(Expr::Compare(Comparison::Differs, _, now), ..) = statement {
+            compared.extend(if let Expr::Place(place) = **now { Some(place) } else { None });
+        }
+    }
+    block(&mut program.cycle, &compared, GAIN);
 }
 
-fn block(statements: &mut [Statement<'_>], least: usize) {
+/// `compared`: of these places what follows asks whether they have changed.
+fn block(statements: &mut [Statement<'_>], compared: &[PlaceId], least: usize) {
     for statement in statements {
         let least = if matches!(statement, Statement::Loop { rounds: 2.., .. }) { GAIN_IN_SEARCH } else { least };
         for inner in blocks_mut(statement) {
-            block(inner, least);
+            block(inner, compared, least);
         }
-        if let Statement::Match(_, arms, _) = statement {
-            merge(arms);
+        if let Statement::Match(place, arms, _) = statement {
+            let changed = compared.contains(place).then_some(*place);
+            merge(arms, changed);
         }
-        if let Some(new) = in_front(statement, least) {
+        if let Some(new) = in_front(statement, compared, least) {
             *statement = new;
         }
     }
 }
 
 /// Arms that do the same, where that is worth not telling the states of those any more that stay.
-fn merge(arms: &mut Vec<Arm<'_>>) {
+fn merge(arms: &mut Vec<Arm<'_>>, changed: Option<PlaceId>) {
     let mut sums = Vec::with_capacity(arms.len());
     for (_, body) in arms.iter() {
         sums.push(sum_of_block(body));
@@ -70,13 +80,17 @@ fn merge(arms: &mut Vec<Arm<'_>>) {
     let (mut alike, mut others) = (Vec::new(), Vec::new());
     for (arm, group) in std::mem::take(arms).into_iter().zip(same) {
         let is_much = (members[group] - 1) * size(&arm.1) > GAIN;
-        if is_much { alike.push(arm) } else { others.push(arm) }
+        if is_much && !changes(&arm, changed) { alike.push(arm) } else { others.push(arm) }
     }
     others.extend(merged(alike));
     *arms = others;
 }
 
-fn in_front<'m>(statement: &mut Statement<'m>, least: usize) -> Option<Statement<'m>> {
+fn changes(arm: &Arm<'_>, changed: Option<PlaceId>) -> bool {
+    changed.is_some_and(|place| is_written_in(&arm.1, place))
+}
+
+fn in_front<'m>(statement: &mut Statement<'m>, compared: &[PlaceId], least: usize) -> Option<Statement<'m>> {
     let Statement::Match(place, arms, otherwise) = statement else { return None };
     let group = best(arms, least)?;
     let Some([Statement::If(condition, then, _)]) = group.first().map(|at| &arms[*at].1[..]) else { return None };
@@ -97,7 +111,13 @@ fn in_front<'m>(statement: &mut Statement<'m>, least: usize) -> Option<Statement
     let is_one = Expr::Is(*place, steps);
     // Of what the user compares nobody knows that it cannot panic beside another step.
     let asked = if is_plain(&condition) { vec![condition, is_one] } else { vec![is_one, condition] };
-    let rest = Statement::Match(*place, merged(left), std::mem::take(otherwise));
+    let changed = compared.contains(place).then_some(*place);
+    let (mut all_left, mut alike) = (Vec::new(), Vec::new());
+    for arm in left {
+        if changes(&arm, changed) { all_left.push(arm) } else { alike.push(arm) }
+    }
+    all_left.extend(merged(alike));
+    let rest = Statement::Match(*place, all_left, std::mem::take(otherwise));
     Some(Statement::If(all(asked), then, vec![rest]))
 }
 
