@@ -47,32 +47,46 @@ pub(super) enum Begins {
     Other,
 }
 
-/// The outputs that stand between the pieces, and where they have to: only processors without unaligned stores need more than four for fifteen bytes.
+/// The outputs that stand between the pieces, and where they have to: only processors without unaligned stores need more than four for fifteen bytes, or for those that begin within a word.
 pub(super) fn between(model: &Model, begins: &dyn Fn(OutputId) -> Begins) -> (Vec<OutputId>, Option<Fence>) {
-    let (mut between, mut piece, mut missing) = (Vec::new(), 0, 0);
-    let (mut odd, mut last) = (Vec::new(), None);
+    let mut fields = Vec::new();
     for (id, bytes) in in_pieces(model).unwrap_or_default() {
-        let begins = begins(id);
-        if begins == Begins::Other && piece == ODD {
-            odd.extend(last);
-        }
-        last = (begins == Begins::Cleared).then_some(id);
+        fields.push((id, bytes, begins(id)));
+    }
+    let (mut between, mut unaligned) = (Vec::new(), Vec::new());
+    let (mut offset, mut piece, mut missing) = (0, 0, 0);
+    for (at, (id, bytes, begins)) in fields.iter().enumerate() {
+        let run = run(&fields[at..]);
         match begins {
             Begins::Other => (piece, missing) = (0, 0),
             Begins::Cleared if missing > 0 || piece + bytes > PIECE => {
                 let all: usize = if missing > 0 { missing } else { BETWEEN };
-                (piece, missing) = (0, all.saturating_sub(bytes));
-                between.push(id);
+                (piece, missing) = (0, all.saturating_sub(*bytes));
+                between.push(*id);
+            }
+            // Until the next word, or the last of fifteen.
+            Begins::Cleared if piece == 0 && offset % BETWEEN > 0 && run > BETWEEN || piece + 1 == ODD && run == 1 => {
+                unaligned.push(*id);
             }
             Begins::Cleared | Begins::Zero => (piece, missing) = (piece + bytes, 0),
         }
+        offset += bytes;
     }
-    if piece == ODD {
-        odd.extend(last);
-    }
-    let fence = if between.is_empty() { (!odd.is_empty()).then_some(Fence::Armv6m) } else { Some(Fence::Memory) };
-    between.extend(odd);
+    let fence = if between.is_empty() { (!unaligned.is_empty()).then_some(Fence::Armv6m) } else { Some(Fence::Memory) };
+    between.extend(unaligned);
     (between, fence)
+}
+
+/// So many bytes are zero from here on.
+fn run(fields: &[(OutputId, usize, Begins)]) -> usize {
+    let mut all = 0;
+    for (_, bytes, begins) in fields {
+        if *begins == Begins::Other {
+            break;
+        }
+        all += bytes;
+    }
+    all
 }
 
 #[cfg(test)]
@@ -130,6 +144,10 @@ mod tests {
         // Nobody knows whether it is the same to the cycle: it stands between, too.
         assert_eq!(names(&format!("{} output x: bool; output r, s, t, u: bool;", truths(15))), "q14");
         assert_eq!(names(&format!("{} output x: bool; output r, s, t, u: bool;", truths(16))), "");
+        // After it the next ones until a word begins.
+        assert_eq!(names(&format!("output r, s, x: bool; {}", truths(16))), "q0 q15");
+        assert_eq!(names(&format!("output x: bool; {}", truths(20))), "q19 q0 q1 q2");
+        assert_eq!(names(&format!("{} output x: bool; output r, s, t, u: bool;", truths(14))), "");
         assert_eq!(names(&format!("{} output x: bool; output r, s, t, u: bool;", truths(17))), "q16");
         // What is stored elsewhere is zero first, but cannot be cleared a second time.
         assert_eq!(names(&format!("output z: u32; {}", truths(13))), "q12");

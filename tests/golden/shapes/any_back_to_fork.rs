@@ -44,73 +44,60 @@ impl Washer {
                 }
             }
             _ => {
-                if self.region_0 == __WasherRegion0::Warm
-                    && self.region_1 == __WasherRegion1::Filled && !inputs_.stop
-                    && inputs_.hot && inputs_.full && inputs_.done
-                {
+                if inputs_.stop {
                     outputs_.lamp = true;
                     self.region_1 = __WasherRegion1::NONE;
                     self.region_0 = __WasherRegion0::Idle;
                 } else {
-                    match self.region_0 {
-                        __WasherRegion0::Heat => {
-                            if inputs_.stop {
-                                self.region_0 = __WasherRegion0::Idle;
-                            } else {
+                    if self.region_0 == __WasherRegion0::Warm
+                        && self.region_1 == __WasherRegion1::Filled && inputs_.hot
+                        && inputs_.full && inputs_.done
+                    {
+                        outputs_.lamp = true;
+                        self.region_1 = __WasherRegion1::NONE;
+                        self.region_0 = __WasherRegion0::Idle;
+                    } else {
+                        match self.region_0 {
+                            __WasherRegion0::Heat => {
                                 if inputs_.hot {
                                     self.region_0 = __WasherRegion0::Warm;
                                 }
                             }
-                        }
-                        __WasherRegion0::Warm => {
-                            if inputs_.stop {
-                                self.region_0 = __WasherRegion0::Idle;
-                            } else {
+                            __WasherRegion0::Warm => {
                                 if !inputs_.hot {
                                     self.region_0 = __WasherRegion0::Heat;
                                 }
                             }
+                            _ => {}
                         }
-                        _ => {}
-                    }
-                    match self.region_0 {
-                        __WasherRegion0::Idle => {
-                            outputs_.lamp = true;
+                        match self.region_0 {
+                            __WasherRegion0::Heat => {
+                                self.s_ff_heat = true;
+                            }
+                            __WasherRegion0::Warm => {
+                                self.s_ff_heat = false;
+                            }
+                            _ => {}
                         }
-                        __WasherRegion0::Heat => {
-                            self.s_ff_heat = true;
-                        }
-                        __WasherRegion0::Warm => {
-                            self.s_ff_heat = false;
-                        }
-                        _ => {}
-                    }
-                    core::sync::atomic::compiler_fence(
-                        core::sync::atomic::Ordering::SeqCst,
-                    );
-                    match self.region_1 {
-                        __WasherRegion1::Fill => {
-                            if inputs_.stop {
-                                self.region_1 = __WasherRegion1::NONE;
-                            } else {
+                        core::sync::atomic::compiler_fence(
+                            core::sync::atomic::Ordering::SeqCst,
+                        );
+                        match self.region_1 {
+                            __WasherRegion1::Fill => {
                                 if inputs_.full {
                                     self.region_1 = __WasherRegion1::Filled;
                                 } else {
                                     outputs_.valve = true;
                                 }
                             }
-                        }
-                        __WasherRegion1::Filled => {
-                            if inputs_.stop {
-                                self.region_1 = __WasherRegion1::NONE;
-                            } else {
+                            __WasherRegion1::Filled => {
                                 if !inputs_.full {
                                     self.region_1 = __WasherRegion1::Fill;
                                     outputs_.valve = true;
                                 }
                             }
+                            _ => {}
                         }
-                        _ => {}
                     }
                 }
             }

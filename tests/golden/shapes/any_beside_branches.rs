@@ -48,7 +48,10 @@ impl AnyBesideBranches {
                 }
             }
             _ => {
-                if !inputs_.stop {
+                if inputs_.stop {
+                    self.region_1 = __AnyBesideBranchesRegion1::NONE;
+                    self.region_0 = __AnyBesideBranchesRegion0::Stopped;
+                } else {
                     if self.region_0 == __AnyBesideBranchesRegion0::B
                         && self.region_1 == __AnyBesideBranchesRegion1::E && inputs_.d
                     {
@@ -86,28 +89,6 @@ impl AnyBesideBranches {
                             }
                             _ => {}
                         }
-                    }
-                } else {
-                    match self.region_0 {
-                        __AnyBesideBranchesRegion0::A => {
-                            self.region_0 = __AnyBesideBranchesRegion0::Stopped;
-                        }
-                        __AnyBesideBranchesRegion0::B => {
-                            self.region_0 = __AnyBesideBranchesRegion0::Stopped;
-                        }
-                        _ => {}
-                    }
-                    core::sync::atomic::compiler_fence(
-                        core::sync::atomic::Ordering::SeqCst,
-                    );
-                    match self.region_1 {
-                        __AnyBesideBranchesRegion1::C => {
-                            self.region_1 = __AnyBesideBranchesRegion1::NONE;
-                        }
-                        __AnyBesideBranchesRegion1::E => {
-                            self.region_1 = __AnyBesideBranchesRegion1::NONE;
-                        }
-                        _ => {}
                     }
                 }
             }

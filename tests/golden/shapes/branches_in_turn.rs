@@ -14,7 +14,6 @@ enum __BranchesInTurnRegion0 {
     Shake,
     Shaken,
     Close,
-    NONE,
     INIT,
 }
 enum __BranchesInTurnRegion1 {
@@ -86,7 +85,6 @@ impl BranchesInTurn {
                                 self.region_0 = __BranchesInTurnRegion0::Rest;
                                 self.region_1 = __BranchesInTurnRegion1::Drain;
                                 self.since_idle = self.reading;
-                                self.since_warm = self.reading;
                                 outputs_.pump = true;
                                 any_119__ = true;
                             }
@@ -118,7 +116,6 @@ impl BranchesInTurn {
                             if inputs_.start {
                                 self.region_0 = __BranchesInTurnRegion0::Shake;
                                 self.region_1 = __BranchesInTurnRegion1::Blow;
-                                self.since_warm = self.reading;
                                 outputs_.pump = true;
                                 any_119__ = true;
                             } else {
@@ -140,28 +137,38 @@ impl BranchesInTurn {
                         }
                     }
                     _ => {
-                        let mut any_117__: bool = false;
-                        any_117__ = any_117__ || inputs_.stop;
-                        let was_state_warm_: __BranchesInTurnRegion1 = self.region_1;
-                        let mut left_drain_: bool = false;
-                        let mut entered_mix_: bool = false;
-                        let mut any_118__: bool = false;
-                        any_119__ = false;
-                        if inputs_.stop
-                            && core::matches!(
-                                self.region_0, __BranchesInTurnRegion0::Fill |
-                                __BranchesInTurnRegion0::Filled |
-                                __BranchesInTurnRegion0::Rest |
-                                __BranchesInTurnRegion0::Rested |
-                                __BranchesInTurnRegion0::Dry |
-                                __BranchesInTurnRegion0::Dried |
-                                __BranchesInTurnRegion0::Shake |
-                                __BranchesInTurnRegion0::Shaken
-                            )
-                        {
+                        if inputs_.stop {
+                            self.s_ff_lamp = false;
+                            self.region_0 = __BranchesInTurnRegion0::Idle;
                             any_119__ = true;
-                            self.region_0 = __BranchesInTurnRegion0::NONE;
+                            match self.region_1 {
+                                __BranchesInTurnRegion1::Warm
+                                | __BranchesInTurnRegion1::Warmed
+                                | __BranchesInTurnRegion1::Drained
+                                | __BranchesInTurnRegion1::Cool
+                                | __BranchesInTurnRegion1::Cooled
+                                | __BranchesInTurnRegion1::Blow
+                                | __BranchesInTurnRegion1::Blown => {
+                                    self.region_1 = __BranchesInTurnRegion1::NONE;
+                                    any_119__ = true;
+                                }
+                                __BranchesInTurnRegion1::Drain => {
+                                    self.region_1 = __BranchesInTurnRegion1::NONE;
+                                    self.batches = {
+                                        let batches = self.batches;
+                                        batches % 60 + 2
+                                    };
+                                    any_119__ = true;
+                                }
+                                _ => {}
+                            }
                         } else {
+                            let was_state_warm_: __BranchesInTurnRegion1 = self.region_1;
+                            let mut left_drain_: bool = false;
+                            let mut entered_mix_: bool = false;
+                            let mut any_117__: bool = false;
+                            let mut any_118__: bool = false;
+                            any_119__ = false;
                             match self.region_0 {
                                 __BranchesInTurnRegion0::Fill => {
                                     if inputs_.full {
@@ -233,16 +240,11 @@ impl BranchesInTurn {
                                 }
                                 _ => {}
                             }
-                        }
-                        if inputs_.stop {
-                            self.region_0 = __BranchesInTurnRegion0::Idle;
-                        }
-                        match was_state_warm_ {
-                            __BranchesInTurnRegion1::Warm => {
-                                if inputs_.stop {
-                                    any_119__ = true;
-                                    self.region_1 = __BranchesInTurnRegion1::NONE;
-                                } else {
+                            core::sync::atomic::compiler_fence(
+                                core::sync::atomic::Ordering::SeqCst,
+                            );
+                            match self.region_1 {
+                                __BranchesInTurnRegion1::Warm => {
                                     if inputs_.warm
                                         && has_reached!(
                                             self.reading.since(self.since_warm),
@@ -254,22 +256,7 @@ impl BranchesInTurn {
                                         self.region_1 = __BranchesInTurnRegion1::Warmed;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion1::Warmed
-                            | __BranchesInTurnRegion1::Drained
-                            | __BranchesInTurnRegion1::Cooled
-                            | __BranchesInTurnRegion1::Blown => {
-                                if inputs_.stop {
-                                    any_119__ = true;
-                                    self.region_1 = __BranchesInTurnRegion1::NONE;
-                                }
-                            }
-                            __BranchesInTurnRegion1::Drain => {
-                                if inputs_.stop {
-                                    left_drain_ = true;
-                                    any_119__ = true;
-                                    self.region_1 = __BranchesInTurnRegion1::NONE;
-                                } else {
+                                __BranchesInTurnRegion1::Drain => {
                                     if inputs_.empty {
                                         left_drain_ = true;
                                         any_118__ = true;
@@ -277,12 +264,7 @@ impl BranchesInTurn {
                                         self.region_1 = __BranchesInTurnRegion1::Drained;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion1::Cool => {
-                                if inputs_.stop {
-                                    any_119__ = true;
-                                    self.region_1 = __BranchesInTurnRegion1::NONE;
-                                } else {
+                                __BranchesInTurnRegion1::Cool => {
                                     if has_reached!(
                                         self.reading.since(self.since_warm),
                                         Ticks::new(7u32)
@@ -292,81 +274,76 @@ impl BranchesInTurn {
                                         self.region_1 = __BranchesInTurnRegion1::Cooled;
                                     }
                                 }
-                            }
-                            __BranchesInTurnRegion1::Blow => {
-                                if inputs_.stop {
-                                    any_119__ = true;
-                                    self.region_1 = __BranchesInTurnRegion1::NONE;
-                                } else {
+                                __BranchesInTurnRegion1::Blow => {
                                     if inputs_.empty {
                                         any_118__ = true;
                                         any_119__ = true;
                                         self.region_1 = __BranchesInTurnRegion1::Blown;
                                     }
                                 }
+                                _ => {}
                             }
-                            _ => {}
-                        }
-                        if any_117__ {
-                            self.since_idle = self.reading;
-                        }
-                        if any_118__ {
-                            self.since_warm = self.reading;
-                        }
-                        if left_drain_ {
-                            self.batches = {
-                                let batches = self.batches;
-                                batches % 60 + 2
-                            };
-                        }
-                        if entered_mix_ {
-                            self.batches = {
-                                let batches = last_batches_;
-                                batches % 50 + 1
-                            };
-                        }
-                        match self.region_0 {
-                            __BranchesInTurnRegion0::Idle => {
-                                self.s_ff_lamp = false;
+                            if any_117__ {
+                                self.since_idle = self.reading;
                             }
-                            __BranchesInTurnRegion0::Fill
-                            | __BranchesInTurnRegion0::Rinse => {
-                                outputs_.valve = true;
+                            if any_118__ {
+                                self.since_warm = self.reading;
                             }
-                            __BranchesInTurnRegion0::Dry => {
-                                outputs_.heater = true;
+                            if left_drain_ {
+                                self.batches = {
+                                    let batches = self.batches;
+                                    batches % 60 + 2
+                                };
                             }
-                            __BranchesInTurnRegion0::Open => {
-                                outputs_.lamp = true;
+                            if entered_mix_ {
+                                self.batches = {
+                                    let batches = last_batches_;
+                                    batches % 50 + 1
+                                };
                             }
-                            _ => {}
-                        }
-                        core::sync::atomic::compiler_fence(
-                            core::sync::atomic::Ordering::SeqCst,
-                        );
-                        match self.region_1 {
-                            __BranchesInTurnRegion1::Warm => {
-                                outputs_.heater = true;
-                                self.passed_warm = was_state_warm_
-                                    == __BranchesInTurnRegion1::Warm
-                                    && self.reading.since(self.since_warm)
-                                        >= Ticks::new(5u32);
-                                if was_state_warm_ == __BranchesInTurnRegion1::Warm
-                                    && has_reached!(
-                                        self.reading.since(self.since_warm),
-                                        Ticks::new(5u32)
-                                    )
-                                {
-                                    self.since_warm = self
-                                        .reading
-                                        .since(Ticks::new(5u32));
+                            match self.region_0 {
+                                __BranchesInTurnRegion0::Idle => {
+                                    self.s_ff_lamp = false;
                                 }
+                                __BranchesInTurnRegion0::Fill
+                                | __BranchesInTurnRegion0::Rinse => {
+                                    outputs_.valve = true;
+                                }
+                                __BranchesInTurnRegion0::Dry => {
+                                    outputs_.heater = true;
+                                }
+                                __BranchesInTurnRegion0::Open => {
+                                    outputs_.lamp = true;
+                                }
+                                _ => {}
                             }
-                            __BranchesInTurnRegion1::Drain
-                            | __BranchesInTurnRegion1::Blow => {
-                                outputs_.pump = true;
+                            core::sync::atomic::compiler_fence(
+                                core::sync::atomic::Ordering::SeqCst,
+                            );
+                            match self.region_1 {
+                                __BranchesInTurnRegion1::Warm => {
+                                    outputs_.heater = true;
+                                    self.passed_warm = was_state_warm_
+                                        == __BranchesInTurnRegion1::Warm
+                                        && self.reading.since(self.since_warm)
+                                            >= Ticks::new(5u32);
+                                    if was_state_warm_ == __BranchesInTurnRegion1::Warm
+                                        && has_reached!(
+                                            self.reading.since(self.since_warm),
+                                            Ticks::new(5u32)
+                                        )
+                                    {
+                                        self.since_warm = self
+                                            .reading
+                                            .since(Ticks::new(5u32));
+                                    }
+                                }
+                                __BranchesInTurnRegion1::Drain
+                                | __BranchesInTurnRegion1::Blow => {
+                                    outputs_.pump = true;
+                                }
+                                _ => {}
                             }
-                            _ => {}
                         }
                     }
                 }

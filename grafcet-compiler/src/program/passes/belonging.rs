@@ -88,6 +88,11 @@ impl Deciding {
         Self { regions: by_statement, places: decides, groups }
     }
 
+    /// The regions whose next state a place has a part in.
+    pub(super) fn about(&self, place: PlaceId) -> &Set<usize> {
+        &self.places[place.0]
+    }
+
     /// By statement, the regions that it decides about, or else those whose states, or what decides about them, it asks for.
     fn belonging(&self, places: &[PlaceInfo<'_>], looked: &Looked<'_>, copies: &[Kept]) -> Vec<Set<usize>> {
         let (mut all, mut asked) = (self.regions.clone(), self.places.clone());

@@ -18,7 +18,7 @@ use crate::sorted::Set;
 const FEW: usize = 3;
 
 /// How many statements there are, and how often they ask for a place: a truth of many parts is no short statement.
-fn size(statements: &[Statement<'_>]) -> usize {
+pub(super) fn size(statements: &[Statement<'_>]) -> usize {
     let mut size = weight(statements);
     each_asked(statements, &mut |_| size += 1);
     size
@@ -43,6 +43,21 @@ fn value_of<'s, 'm>(
 }
 
 impl<'m> Several<'_, 'm> {
+    /// First a condition that looks at no region and decides about several, as that of an `any` which leaves parallel branches.
+    pub(super) fn by_stop(&self, looked: &Looked<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
+        let deciding = Deciding::of(self.places, looked);
+        let is_stop = |at: usize| match &looked.list[at] {
+            Statement::Set(place, value) => {
+                let info = &self.places[place.0];
+                let is_truth = !info.is_field && matches!(info.ty, Type::Bool);
+                is_truth && is_pure(value) && looked.regions[at].is_empty() && deciding.about(*place).len() > 1
+            }
+            _ => false,
+        };
+        let at = (0..looked.list.len()).find(|at| is_stop(*at)).filter(|_| self.effort.get() > 0)?;
+        self.asked_first(looked.list.clone(), at, &[], env)
+    }
+
     /// A part of regions that depend on each other.
     pub(super) fn joint(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
         if let Some(done) = self.by_head(&part, env) {
@@ -159,7 +174,7 @@ impl<'m> Several<'_, 'm> {
             let alone = alone.map(|(part, off)| (size(&part.statements), part, off));
             let plain = (usize::MAX, part.clone(), Vec::new());
             for (most, part, off) in [Some(plain), alone].into_iter().flatten() {
-                let Some(asked) = self.asked_first(part, *at, &off, env) else { continue };
+                let Some(asked) = self.asked_first(part.statements, *at, &off, env) else { continue };
                 let size = size(&asked);
                 if size <= most && best.as_ref().is_none_or(|(least, _)| size < *least) {
                     best = Some((size, asked));
@@ -212,9 +227,14 @@ impl<'m> Several<'_, 'm> {
     }
 
     /// The condition at a place is asked, and the rest done by what it says, if what stands in front of it may stand after it. Where it holds, the truths `off` are false.
-    fn asked_first(&self, part: Part<'m>, at: usize, off: &[PlaceId], env: &Env) -> Option<Vec<Statement<'m>>> {
-        let wanted = Effects::of(&part.statements[at]).reads;
-        let mut list = part.statements;
+    fn asked_first(
+        &self,
+        mut list: Vec<Statement<'m>>,
+        at: usize,
+        off: &[PlaceId],
+        env: &Env,
+    ) -> Option<Vec<Statement<'m>>> {
+        let wanted = Effects::of(&list[at]).reads;
         let after = list.split_off(at);
         let (before, mut rest) = needed(&list, wanted)?;
         let swaps = |one: &&Statement<'m>| Effects::of(one).may_swap(&Effects::of_all(&rest));

@@ -12,8 +12,9 @@
 //!                                                            B1: if x1: …
 //! ```
 //!
-//! Some statements are looked at with all that is known of the states, cut into parts (`parts`), and each part looked at by itself:
+//! Some statements are looked at with all that is known of the states, cut into parts (`parts`), and each part looked at by itself (`spec`):
 //! - of one region: for each state that it may have, what is done in it (`engine`);
+//! - of all regions: what a condition decides that looks at none of them and decides about several, as that of an `any` that leaves parallel branches, is done by what it says, if that is shorter;
 //! - of regions that depend on each other: where one of them has states beside which no other step is active, those first; else where one
 //!   condition looks at several regions, it is asked first, and the rest done by what it says; where several do, or none, each transition in one
 //!   place (`clearing`), if that is shorter.
@@ -26,16 +27,16 @@ mod env;
 mod joint;
 mod prepared;
 mod single;
+mod spec;
 
 pub(super) use apart::{Actions, pass as apart};
 pub(super) use env::Env;
-use prepared::{direct, join_wide};
+use prepared::direct;
 pub(super) use single::weight;
 
 use std::cell::Cell;
 
 use super::super::{Deadline, Expr, Initial, Meeting, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::belonging::{Kept, finer};
 use super::dead::read_after;
 use super::engine::{Among, Engine, Fact};
 use super::excluding::Situations;
@@ -43,13 +44,11 @@ use super::flat::flat;
 use super::fold::initial;
 use super::hoist;
 use super::live::{Live, Places};
-use super::parts::{Looked, Part, spread, written};
 use super::share;
 use super::sparse::{Index, States};
 use super::starting;
 use super::uses::{Effects, each_asked, each_written, is_read_in, mentions, writes_to};
 use crate::analysis::Relation;
-use crate::list::List;
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -316,60 +315,6 @@ impl<'p, 'm> Several<'p, 'm> {
             later.put(*place, true);
         }
         later
-    }
-
-    pub(super) fn spec(&self, list: &[Statement<'m>], env: &Env) -> Vec<Statement<'m>> {
-        self.effort.set(self.effort.get().saturating_sub(list.len() + self.places.len()));
-        let (body, _) = self.folded(list, env);
-        let body = self.swept(body, env);
-        let off = |place: PlaceId| env.facts[place.0] == Fact::Is(Value::Bool(false));
-        let body = spread(self.places, body, &off);
-        let copies = self.copies(&body, env);
-        let looked = Looked::at(self.places, body);
-        let situations = self.situations();
-        let by_group = finer((self.places, &situations), &looked, &off, &copies);
-        let mut parts = by_group.unwrap_or_else(|| looked.parts(self.places, &situations));
-        join_wide(&mut parts, self.places);
-        // By part, from the last one on: what is read after it.
-        let mut later = vec![env.later.clone()];
-        for part in parts.iter().skip(1).rev() {
-            let mut reads = later.last().cloned().unwrap_or_default();
-            each_asked(&part.statements, &mut |place| _ = reads.insert(place));
-            later.push(reads);
-        }
-        let mut env = env.clone();
-        let mut body = Vec::new();
-        for part in parts {
-            env.later = later.pop().unwrap_or_default();
-            let statements = (!later.is_empty()).then(|| part.statements.clone());
-            body.extend(self.part(part, &env));
-            if let Some(statements) = statements {
-                self.after(&statements, &mut env);
-            }
-        }
-        body
-    }
-
-    /// By region, where its state before may be kept.
-    fn copies(&self, list: &[Statement<'m>], env: &Env) -> Vec<Kept> {
-        let free = self.free(list, env);
-        let of = self.states.iter().zip(&self.was).enumerate();
-        of.map(|(region, (state, was))| {
-            let copy = was.filter(|_| free.contains(&region));
-            let is_made = copy.is_some_and(|copy| env.facts[copy.0] == Fact::Copy(*state));
-            Kept { state: *state, copy, is_made }
-        })
-        .list()
-    }
-
-    fn part(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
-        match (&written(self.places, &part.statements)[..], &part.regions[..]) {
-            (_, []) => part.statements,
-            ([], _) if part.statements.len() < 2 => part.statements,
-            ([region], _) | ([], [region]) => self.single(*region, part, env),
-            ([], _) => part.statements,
-            _ => self.joint(part, env),
-        }
     }
 
     /// Whether statements write the state of a region.

@@ -52,11 +52,11 @@ impl<'m> Several<'_, 'm> {
         let joined = self.joined(region, &mut arms);
         let whole = weight(&joined) + if joined.len() > 1 { DISPATCH } else { 0 };
         let own = weight(&part.statements);
-        if MANY * own < whole.min(weight(std::slice::from_ref(&plain))) && !self.decides(&part.statements) {
+        if MANY * own < whole.min(weight(&plain)) && !self.decides(&part.statements) {
             // Each state does nearly all of it.
             return self.swept(self.folded(&part.statements, env_before).0, env_before);
         }
-        done.extend(if weight(std::slice::from_ref(&plain)) <= whole { vec![plain] } else { joined });
+        done.extend(if weight(&plain) <= whole { plain } else { joined });
         done
     }
 
@@ -304,8 +304,8 @@ impl<'m> Several<'_, 'm> {
         acts.retain(|(_, body)| !body.is_empty());
         let mut all = Vec::new();
         let evolving = evolution(state, arms.iter().map(|(value, tree)| (*value, tree.copy())).collect());
-        if weight(std::slice::from_ref(&evolving)) > 0 {
-            all.push(evolving);
+        if weight(&evolving) > 0 {
+            all.extend(evolving);
         }
         if !acts.is_empty() {
             all.push(Statement::Match(state, merged(acts), Vec::new()));
@@ -315,7 +315,9 @@ impl<'m> Several<'_, 'm> {
     }
 }
 
-pub(super) fn evolution(state: PlaceId, arms: Vec<(Value, Tree<'_>)>) -> Statement<'_> {
+/// A match on the state; what all states do needs none.
+fn evolution(state: PlaceId, arms: Vec<(Value, Tree<'_>)>) -> Vec<Statement<'_>> {
+    let states = arms.len();
     let mut all = Vec::new();
     for (value, tree) in arms {
         let body = tree.statements();
@@ -323,7 +325,11 @@ pub(super) fn evolution(state: PlaceId, arms: Vec<(Value, Tree<'_>)>) -> Stateme
             all.push((vec![value], body));
         }
     }
-    Statement::Match(state, merged(all), Vec::new())
+    let mut arms = merged(all);
+    match &mut arms[..] {
+        [(values, body)] if values.len() == states => std::mem::take(body),
+        _ => vec![Statement::Match(state, arms, Vec::new())],
+    }
 }
 
 /// How many statements there are.
