@@ -354,3 +354,22 @@ fn what_many_states_ask_first_is_asked_in_front_of_the_match() {
         }
     }
 }
+
+/// Two steps that go on alike stay arms of their own where the time begins by whether the state has changed: LLVM knows the answer in each of them.
+#[test]
+fn arms_that_change_the_state_stay_apart_where_it_is_compared() {
+    let sorter = |wait: &str| {
+        format!(
+            "sfc Sorter {{ input a, b, c, d, stop: bool; output p, q, r: bool; initial step Idle; step One {{ p; }} step Two {{ q; }} step On {{ r; }} step Off; \
+             any -[stop && {wait}]-> Off; Idle -[a]-> One; Idle -[!a && b]-> Two; One -[a && b && c && d]-> On; Two -[a && b && c && d]-> On; \
+             One -[c && !d && a && !b]-> Idle; Two -[c && !d && a && !b]-> Idle; On -[d]-> Idle; Off -[!stop]-> Idle; }}"
+        )
+    };
+    let (timed, plain) = (sorter("1s/Idle"), sorter("!d").replace("any -[stop", "any -[b && stop"));
+    let program = text(&timed);
+    assert!(program.contains("was.state != state") && !program.contains("One|Two:"), "{program}");
+    assert!(text(&plain).contains("One|Two:"), "{}", text(&plain));
+    for chart in [&timed, &plain] {
+        each_left_out(&read(chart), &storm(&["a", "b", "c", "d", "stop"], 300), 150);
+    }
+}
