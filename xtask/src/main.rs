@@ -45,6 +45,8 @@ Usage: cargo xtask <task>
             how long charts take to compile in a compiler without optimisation; only those whose name holds NAME
   bench through [CHART…] [--target m3|m0]
             the charts of the benches by way of a program and its passes: their costs beside those recorded; all but the longest
+  bench beside CHART… [--target m3|m0]
+            the same charts as the macro and as C have them, measured now
   brute [--charts N] [--first N] [--cycles N] [--shrink N]
             what the checker says about random charts, beside a naive exploration
   bless     record the expansions and messages anew that the tests compare with
@@ -103,6 +105,7 @@ fn main() -> ExitCode {
         ["bench", "check"] => bench::check(None),
         ["bench", "check", name] => bench::check(Some(name)),
         ["bench", "through", ref rest @ ..] => bench::through(rest),
+        ["bench", "beside", ref rest @ ..] => bench::beside(rest),
         ["bless"] => bless::run(),
         ["brute", ref rest @ ..] => conformance::brute(rest),
         ["ci"] => ci::run(),

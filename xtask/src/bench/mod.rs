@@ -5,6 +5,7 @@
 //! cycle function and all it needs, over an image with nothing in it; instructions per cycle, counted by the emulator and
 //! on the host by callgrind, `busy` on random inputs and `idle` with all inputs false; RAM, the size of the chart.
 
+mod beside;
 mod builds;
 mod figures;
 mod goals;
@@ -18,6 +19,7 @@ mod speed;
 mod table;
 mod through;
 
+pub(crate) use self::beside::run as beside;
 use self::figures::Recorded;
 pub(crate) use self::speed::check;
 use self::table::{BUSY, FIGURES, IDLE};

@@ -47,7 +47,7 @@ pub(crate) fn run(words: &[&str]) -> Result {
     if problems.is_empty() { Ok(()) } else { Err(problems.join("\n")) }
 }
 
-fn wanted<'a>(words: &[&'a str]) -> Result<(BTreeSet<&'a str>, Vec<&'static str>)> {
+pub(super) fn wanted<'a>(words: &[&'a str]) -> Result<(BTreeSet<&'a str>, Vec<&'static str>)> {
     let mut charts = BTreeSet::new();
     let mut targets = TARGETS.to_vec();
     let mut words = words.iter();
