@@ -57,8 +57,7 @@ fn block(statements: &mut [Statement<'_>], compared: &[PlaceId], least: usize) {
             block(inner, compared, least);
         }
         if let Statement::Match(place, arms, _) = statement {
-            let changed = compared.contains(place).then_some(*place);
-            merge(arms, changed);
+            merge(*place, arms, compared);
         }
         if let Some(new) = in_front(statement, compared, least) {
             *statement = new;
@@ -67,7 +66,7 @@ fn block(statements: &mut [Statement<'_>], compared: &[PlaceId], least: usize) {
 }
 
 /// Arms that do the same, where that is worth not telling the states of those any more that stay.
-fn merge(arms: &mut Vec<Arm<'_>>, changed: Option<PlaceId>) {
+fn merge(place: PlaceId, arms: &mut Vec<Arm<'_>>, compared: &[PlaceId]) {
     let mut sums = Vec::with_capacity(arms.len());
     for (_, body) in arms.iter() {
         sums.push(sum_of_block(body));
@@ -77,17 +76,26 @@ fn merge(arms: &mut Vec<Arm<'_>>, changed: Option<PlaceId>) {
     for group in &same {
         members[*group] += 1;
     }
-    let (mut alike, mut others) = (Vec::new(), Vec::new());
-    for (arm, group) in std::mem::take(arms).into_iter().zip(same) {
-        let is_much = (members[group] - 1) * size(&arm.1) > GAIN;
-        if is_much && !changes(&arm, changed) { alike.push(arm) } else { others.push(arm) }
-    }
-    others.extend(merged(alike));
-    *arms = others;
+    let mut groups = same.into_iter();
+    *arms = joined(std::mem::take(arms), &mut |arm| {
+        let is_much = groups.next().is_some_and(|group| (members[group] - 1) * size(&arm.1) > GAIN);
+        is_much && !stays_apart(arm, place, compared)
+    });
 }
 
-fn changes(arm: &Arm<'_>, changed: Option<PlaceId>) -> bool {
-    changed.is_some_and(|place| is_written_in(&arm.1, place))
+/// It changes what is compared later.
+fn stays_apart(arm: &Arm<'_>, place: PlaceId, compared: &[PlaceId]) -> bool {
+    compared.contains(&place) && is_written_in(&arm.1, place)
+}
+
+/// Those arms that may be one, where they do the same, behind the others.
+fn joined<'m>(arms: Vec<Arm<'m>>, may: &mut dyn FnMut(&Arm<'m>) -> bool) -> Vec<Arm<'m>> {
+    let (mut alike, mut others) = (Vec::new(), Vec::new());
+    for arm in arms {
+        if may(&arm) { alike.push(arm) } else { others.push(arm) }
+    }
+    others.extend(merged(alike));
+    others
 }
 
 fn in_front<'m>(statement: &mut Statement<'m>, compared: &[PlaceId], least: usize) -> Option<Statement<'m>> {
@@ -111,13 +119,8 @@ fn in_front<'m>(statement: &mut Statement<'m>, compared: &[PlaceId], least: usiz
     let is_one = Expr::Is(*place, steps);
     // Of what the user compares nobody knows that it cannot panic beside another step.
     let asked = if is_plain(&condition) { vec![condition, is_one] } else { vec![is_one, condition] };
-    let changed = compared.contains(place).then_some(*place);
-    let (mut all_left, mut alike) = (Vec::new(), Vec::new());
-    for arm in left {
-        if changes(&arm, changed) { all_left.push(arm) } else { alike.push(arm) }
-    }
-    all_left.extend(merged(alike));
-    let rest = Statement::Match(*place, all_left, std::mem::take(otherwise));
+    let left = joined(left, &mut |arm| !stays_apart(arm, *place, compared));
+    let rest = Statement::Match(*place, left, std::mem::take(otherwise));
     Some(Statement::If(all(asked), then, vec![rest]))
 }
 
