@@ -200,7 +200,7 @@ pub mod __private {
     pub use grafcet_core::{__recorded as recorded, __recorded_stub as recorded_stub};
     pub use grafcet_core::{
         ActiveSteps, Chart, ForceError, Forceable, OutOfRange, Phase, Possible, Ticks, description, earlier, flags,
-        phase, situation, sooner,
+        phase, rest, situation, sooner,
     };
     pub use grafcet_macros::chart;
     pub use heapless;

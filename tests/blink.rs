@@ -81,6 +81,60 @@ fn a_step_that_stays_for_a_hundred_days_goes_on_blinking() {
     assert!(passed > 2 * u64::from(u32::MAX));
 }
 
+grafcet! {
+    /// A step that blinks and is left after a time of its own, which tells how far the period is.
+    pub grafcet Timed {
+        input ack: bool;
+        output lamp, horn: bool;
+
+        initial step Alarm { lamp if blink(700ms/300ms); L 2500ms horn; }
+        step Rest;
+
+        Alarm -[ack && 1200ms/Alarm]-> Rest -[!ack]-> Alarm;
+    }
+}
+
+/// Three periods are kept, for the horn; then the time goes on by whole ones.
+#[test]
+fn what_blinks_beside_a_time_of_its_own_goes_on_blinking() {
+    let mut chart = Timed::new();
+    let idle = TimedInputs::default();
+    let begin = u32::MAX - 2_000;
+    let mut now = begin;
+    let mut changes = Vec::new();
+    for _ in 0..10 {
+        let outputs = chart.cycle(&idle, now);
+        let next = chart.next_deadline().expect("it blinks").get();
+        changes.push((now.wrapping_sub(begin), outputs.lamp, outputs.horn));
+        assert_eq!(chart.cycle(&idle, next.wrapping_sub(1)), outputs);
+        now = next;
+    }
+    let by_hand = [
+        (0, true, true),
+        (700, false, true),
+        (1_000, true, true),
+        (1_200, true, true),
+        (1_700, false, true),
+        (2_000, true, true),
+        (2_500, true, false),
+        (2_700, false, false),
+        (3_000, true, false),
+        (3_700, false, false),
+    ];
+    assert_eq!(changes, by_hand);
+    let mut passed = u64::from(now.wrapping_sub(begin));
+    for _ in 0..20_000 {
+        passed += 432_017;
+        let reading = begin.wrapping_add(u32::try_from(passed & 0xFFFF_FFFF).unwrap_or_default());
+        let outputs = chart.cycle(&idle, reading);
+        assert_eq!((outputs.lamp, outputs.horn), (passed % 1_000 < 700, false), "{passed}");
+        now = reading;
+    }
+    assert!(passed > 2 * u64::from(u32::MAX));
+    chart.cycle(&TimedInputs { ack: true }, now);
+    assert!(chart.is_active(TimedStep::Rest));
+}
+
 #[test]
 fn a_macro_step_blinks_through_its_expansion() {
     let mut chart = Macro::new();

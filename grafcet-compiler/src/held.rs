@@ -26,7 +26,7 @@ pub enum Held {
     Edge(EdgeId),
     /// `sfc`: the same, as actions saw it.
     ActionEdge(EdgeId),
-    /// How long the active one of these steps has been active, as far as anybody asks: of one that only blinks since its last period began.
+    /// How long the active one of these steps has been active, as far as anybody asks: of one that blinks but for whole periods that make no difference.
     Time(Vec<StepId>),
     /// The same of a macro-step.
     MacroTime(MacroId),

@@ -33,4 +33,4 @@ pub use range::OutOfRange;
 pub use ticks::Ticks;
 // What generated code computes with times; a program has `next_deadline`.
 #[doc(hidden)]
-pub use time::{earlier, phase, sooner};
+pub use time::{earlier, phase, rest, sooner};

@@ -6,7 +6,7 @@ use crate::Ticks;
 /// below the period, which is not zero.
 #[must_use]
 pub fn phase(reached: Ticks, elapsed: Ticks, period: Ticks) -> Ticks {
-    let elapsed = if elapsed < period { elapsed.get() } else { rest(elapsed.get(), period.get()) };
+    let elapsed = if elapsed < period { elapsed } else { rest(elapsed, period) }.get();
     let left = period - reached;
     Ticks::new(if elapsed < left.get() {
         reached.get().wrapping_add(elapsed)
@@ -15,16 +15,18 @@ pub fn phase(reached: Ticks, elapsed: Ticks, period: Ticks) -> Ticks {
     })
 }
 
-/// What is left of a time after whole periods.
-fn rest(elapsed: u32, period: u32) -> u32 {
+/// What is left of a time after whole periods, none of which is zero.
+#[must_use]
+pub fn rest(elapsed: Ticks, period: Ticks) -> Ticks {
     // ARMv6-M divides by a call that takes two hundred bytes.
-    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
-        rest_by_subtraction(elapsed, period)
+    Ticks::new(if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        rest_by_subtraction(elapsed.get(), period.get())
     } else {
-        elapsed.checked_rem(period).unwrap_or(0)
-    }
+        elapsed.get().checked_rem(period.get()).unwrap_or(0)
+    })
 }
 
+#[inline(never)]
 fn rest_by_subtraction(elapsed: u32, period: u32) -> u32 {
     if period == 0 {
         return 0;

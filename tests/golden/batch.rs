@@ -703,23 +703,24 @@ impl Batch {
                     opaque_ran_ = true;
                 }
             }
-        }
-        if self.was_q_heat && !q_heat_ && !by_leaving_heat_ {
-            match self.acted_heat {
-                3 => {
-                    actions_
-                        .heat(
-                            ::grafcet::__private::Phase::Final,
-                            {
-                                let hot = self.params.hot;
-                                hot
-                            },
-                        );
-                    opaque_ran_ = true;
-                }
-                _ => {
-                    actions_.heat(::grafcet::__private::Phase::Final, 40);
-                    opaque_ran_ = true;
+        } else {
+            if self.was_q_heat && !by_leaving_heat_ {
+                match self.acted_heat {
+                    3 => {
+                        actions_
+                            .heat(
+                                ::grafcet::__private::Phase::Final,
+                                {
+                                    let hot = self.params.hot;
+                                    hot
+                                },
+                            );
+                        opaque_ran_ = true;
+                    }
+                    _ => {
+                        actions_.heat(::grafcet::__private::Phase::Final, 40);
+                        opaque_ran_ = true;
+                    }
                 }
             }
         }

@@ -453,7 +453,15 @@ impl Cell {
                                 }
                             }
                             __CellRegion0::Count => {
-                                if !inputs_.part {
+                                if inputs_.part {
+                                    clears_auto_idle_ = false;
+                                    if !self.edge0_before {
+                                        next_n_ = {
+                                            let n = self.n;
+                                            n + 1
+                                        };
+                                    }
+                                } else {
                                     if {
                                         let n = self.n;
                                         n >= 2
@@ -463,14 +471,6 @@ impl Cell {
                                         self.region_0 = __CellRegion0::Idle;
                                     } else {
                                         clears_auto_idle_ = false;
-                                    }
-                                } else {
-                                    clears_auto_idle_ = false;
-                                    if !self.edge0_before {
-                                        next_n_ = {
-                                            let n = self.n;
-                                            n + 1
-                                        };
                                     }
                                 }
                             }

@@ -106,13 +106,13 @@ impl Mash {
                 }
             }
             __MashRegion0::Drain => {
-                if !inputs_.level {
-                    if inputs_.ack {
-                        self.region_0 = __MashRegion0::Idle;
-                    }
-                } else {
+                if inputs_.level {
                     if inputs_.hot {
                         self.region_0 = __MashRegion0::Whirl;
+                    }
+                } else {
+                    if inputs_.ack {
+                        self.region_0 = __MashRegion0::Idle;
                     }
                 }
             }

@@ -44,27 +44,30 @@ impl Gate {
                 }
             }
             __GateState::Opening => {
-                if has_reached!(
-                    now_.since(self.since), Ticks::new(1000u32)
-                ) {
-                    self.since = now_
-                        .since(
-                            phase(
-                                Ticks::ZERO,
-                                now_.since(self.since),
-                                Ticks::new(1000u32),
-                            ),
-                        );
-                }
                 if inputs_.up {
                     self.situation = __GateState::Opened;
                 } else {
-                    outputs_.lamp = now_.since(self.since)
-                        < Ticks::new(500u32);
+                    outputs_.lamp = rest(
+                        now_.since(self.since),
+                        Ticks::new(1000u32),
+                    ) < Ticks::new(500u32);
                     if has_reached!(
-                        now_.since(self.since), Ticks::new(500u32)
+                        rest(now_.since(self.since),
+                        Ticks::new(1000u32)),
+                        Ticks::new(500u32)
                     ) {
                         self.before_state = __GateState::INIT;
+                    }
+                    if has_reached!(
+                        now_.since(self.since), Ticks::new(1000u32)
+                    ) {
+                        self.since = now_
+                            .since(
+                                rest(
+                                    now_.since(self.since),
+                                    Ticks::new(1000u32),
+                                ),
+                            );
                     }
                 }
             }

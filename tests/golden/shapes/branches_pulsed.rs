@@ -121,96 +121,104 @@ impl Counting {
                 let n = self.n;
                 n % 90 + 1
             };
-        }
-        if self.was_q_a0_1_ && !entered_a0__ {
-            self.n = {
-                let n = self.n;
-                n % 90 + 1
-            };
+        } else {
+            if self.was_q_a0_1_ {
+                self.n = {
+                    let n = self.n;
+                    n % 90 + 1
+                };
+            }
         }
         if entered_a1__ {
             self.n = {
                 let n = self.n;
                 n % 80 + 2
             };
-        }
-        if self.was_q_a1_2_ && !entered_a1__ {
-            self.n = {
-                let n = self.n;
-                n % 80 + 2
-            };
+        } else {
+            if self.was_q_a1_2_ {
+                self.n = {
+                    let n = self.n;
+                    n % 80 + 2
+                };
+            }
         }
         if entered_a2__ {
             self.n = {
                 let n = self.n;
                 n % 70 + 3
             };
-        }
-        if self.was_q_a2_3_ && !entered_a2__ {
-            self.n = {
-                let n = self.n;
-                n % 70 + 3
-            };
+        } else {
+            if self.was_q_a2_3_ {
+                self.n = {
+                    let n = self.n;
+                    n % 70 + 3
+                };
+            }
         }
         if entered_a3__ {
             self.n = {
                 let n = self.n;
                 n % 60 + 4
             };
-        }
-        if self.was_q_a3_4_ && !entered_a3__ {
-            self.n = {
-                let n = self.n;
-                n % 60 + 4
-            };
+        } else {
+            if self.was_q_a3_4_ {
+                self.n = {
+                    let n = self.n;
+                    n % 60 + 4
+                };
+            }
         }
         if entered_b0__ {
             self.n = {
                 let n = self.n;
                 n % 50 + 5
             };
-        }
-        if self.was_q_b0_5_ && !entered_b0__ {
-            self.n = {
-                let n = self.n;
-                n % 50 + 5
-            };
+        } else {
+            if self.was_q_b0_5_ {
+                self.n = {
+                    let n = self.n;
+                    n % 50 + 5
+                };
+            }
         }
         if entered_b1__ {
             self.n = {
                 let n = self.n;
                 n % 40 + 6
             };
-        }
-        if self.was_q_b1_6_ && !entered_b1__ {
-            self.n = {
-                let n = self.n;
-                n % 40 + 6
-            };
+        } else {
+            if self.was_q_b1_6_ {
+                self.n = {
+                    let n = self.n;
+                    n % 40 + 6
+                };
+            }
         }
         if entered_b2__ {
             self.n = {
                 let n = self.n;
                 n % 30 + 7
             };
-        }
-        if self.was_q_b2_7_ && !entered_b2__ {
-            self.n = {
-                let n = self.n;
-                n % 30 + 7
-            };
+        } else {
+            if self.was_q_b2_7_ {
+                self.n = {
+                    let n = self.n;
+                    n % 30 + 7
+                };
+            }
         }
         if entered_b3__ {
             self.n = {
                 let n = self.n;
                 n % 20 + 8
             };
-        }
-        if self.was_q_b3_8_ && !entered_b3__ {
-            self.n = {
-                let n = self.n;
-                n % 20 + 8
-            };
+        } else {
+            if self.was_q_b3_8_ {
+                self.n = {
+                    let n = self.n;
+                    n % 20 + 8
+                };
+            }
         }
         self.was_q_a0_1_ = entered_a0__;
         self.was_q_a1_2_ = entered_a1__;

@@ -309,32 +309,33 @@ impl Logging {
                         );
                 }
             }
-        }
-        if self.was_q_log && !q_log_ && !by_leaving_log_ {
-            match self.acted_log {
-                0 => {
-                    actions_.log(Phase::Final, 1);
-                }
-                1 => {
-                    actions_.log(Phase::Final, 2);
-                }
-                3 => {
-                    actions_.log(Phase::Final, 3);
-                }
-                4 => {
-                    actions_.log(Phase::Final, 4);
-                }
-                6 => {
-                    actions_.log(Phase::Final, 5);
-                }
-                7 => {
-                    actions_.log(Phase::Final, 6);
-                }
-                9 => {
-                    actions_.log(Phase::Final, 7);
-                }
-                _ => {
-                    actions_.log(Phase::Final, 8);
+        } else {
+            if self.was_q_log && !by_leaving_log_ {
+                match self.acted_log {
+                    0 => {
+                        actions_.log(Phase::Final, 1);
+                    }
+                    1 => {
+                        actions_.log(Phase::Final, 2);
+                    }
+                    3 => {
+                        actions_.log(Phase::Final, 3);
+                    }
+                    4 => {
+                        actions_.log(Phase::Final, 4);
+                    }
+                    6 => {
+                        actions_.log(Phase::Final, 5);
+                    }
+                    7 => {
+                        actions_.log(Phase::Final, 6);
+                    }
+                    9 => {
+                        actions_.log(Phase::Final, 7);
+                    }
+                    _ => {
+                        actions_.log(Phase::Final, 8);
+                    }
                 }
             }
         }

@@ -206,12 +206,13 @@ impl Works {
                                                 let count = last_count_;
                                                 count % 900 + 1
                                             };
-                                        }
-                                        if self.was_q_four_9_ && !q_four_9__ {
-                                            self.count = {
-                                                let count = last_count_;
-                                                count % 900 + 1
-                                            };
+                                        } else {
+                                            if self.was_q_four_9_ {
+                                                self.count = {
+                                                    let count = last_count_;
+                                                    count % 900 + 1
+                                                };
+                                            }
                                         }
                                         self.was_q_four_9_ = q_four_9__;
                                         any_68__ = true;

@@ -24,14 +24,15 @@ impl Counter {
         }
         loop {
             let mut next_count_: core::primitive::u16 = self.count;
-            if !self.edge0_before && edge0_now_ && !(!self.edge1_before && edge1_now_) {
-                next_count_ = {
-                    let count = self.count;
-                    (count + 1) % 1000
-                };
-            }
             if !self.edge1_before && edge1_now_ {
                 next_count_ = 0;
+            } else {
+                if !self.edge0_before && edge0_now_ {
+                    next_count_ = {
+                        let count = self.count;
+                        (count + 1) % 1000
+                    };
+                }
             }
             if self.count == next_count_ {
                 break;

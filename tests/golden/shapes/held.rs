@@ -63,7 +63,12 @@ impl Plant {
                     }
                 }
                 __PlantRegion0::Held => {
-                    if !inputs_.stop {
+                    if inputs_.stop {
+                        self.region_0 = __PlantRegion0::Stopped;
+                        moves_36__ = true;
+                        self.region_1 = __PlantRegion1::M0;
+                        self.region_2 = __PlantRegion2::B0;
+                    } else {
                         if !inputs_.hold {
                             self.region_0 = __PlantRegion0::Ready;
                             moves_36__ = true;
@@ -71,11 +76,6 @@ impl Plant {
                         } else {
                             goes_37__ = true;
                         }
-                    } else {
-                        self.region_0 = __PlantRegion0::Stopped;
-                        moves_36__ = true;
-                        self.region_1 = __PlantRegion1::M0;
-                        self.region_2 = __PlantRegion2::B0;
                     }
                 }
                 __PlantRegion0::Stopped => {

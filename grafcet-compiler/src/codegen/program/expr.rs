@@ -104,6 +104,10 @@ impl<'m> Printer<'_, 'm> {
                 let (a, b) = (self.operand(a, Binds::Term), self.value(b));
                 (quote!(#a.since(#b)), Binds::Term)
             }
+            Expr::Period(reached, passed, period) if matches!(**reached, Expr::Value(Value::Ticks(0))) => {
+                let passed = self.value(passed);
+                (quote!(#p::rest(#passed, #p::Ticks::new(#period))), Binds::Term)
+            }
             Expr::Period(reached, passed, period) => {
                 let (reached, passed) = (self.value(reached), self.value(passed));
                 (quote!(#p::phase(#reached, #passed, #p::Ticks::new(#period))), Binds::Term)

@@ -2,8 +2,7 @@
 //!
 //! A time that is compared with literals alone is the reading at which it began: what has passed is `now - began`, which is exact as long as
 //! two cycles lie less than 2^31 ticks apart. It cannot wrap, however long a step stays active: what can go on beyond the longest of its
-//! literals is kept there (`bound_times`). Of a step that blinks, and asks for its time in no other way, it is the reading at which its last
-//! period began. That of a delay with literals is the reading at which its input changed. Every other time is counted, and saturates.
+//! literals is kept there (`bound_times`), and what blinks goes on by whole periods (`periods`). That of a delay with literals is the reading at which its input changed. Every other time is counted, and saturates.
 
 use super::changes::{Change, Changes, changes, is_time_of_step};
 use super::places::{Phases, time, truth};
@@ -16,7 +15,7 @@ use crate::program::{Expr, PlaceId, Role, Statement, Type};
 use crate::raw::plain;
 
 /// The highest time that a reading of the clock can be compared with.
-const HIGHEST: u32 = 1 << 31;
+pub(super) const HIGHEST: u32 = 1 << 31;
 
 /// A time as it is stored.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -81,12 +80,12 @@ impl<'m> Lower<'_, 'm> {
             self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));
         }
         let changes = changes(model);
-        let only_periods = self.only_periods(&changes);
+        let by_periods = self.by_periods(&changes);
         for read in asked {
             match read {
                 Read::Since(step) | Read::Elapsed(_, step) => self.count(step, &changes),
                 Read::MacroSince(id) | Read::MacroElapsed(_, id) => self.count_macro(id, &changes),
-                Read::Blink(blink) => self.count_blink(blink, &changes, &only_periods),
+                Read::Blink(blink) => self.count_blink(blink, &changes, &by_periods),
                 _ => {}
             }
         }
@@ -165,32 +164,18 @@ impl<'m> Lower<'_, 'm> {
         });
     }
 
-    /// The periods of a step are told from when the last one began, where its time says nothing else: in a region of which that holds for each
-    /// step that blinks. What a recorded state says of a time is then one thing or the other.
-    fn count_blink(&mut self, blink: Blink, changes: &Changes, only_periods: &[bool]) {
+    /// Of what blinks the time of its step tells how far the period is, where that is the reading at which it became active.
+    fn count_blink(&mut self, blink: Blink, changes: &Changes, by_periods: &[bool]) {
         if let (Blinker::Step(step), Some(region)) = (blink.of, self.region_of(blink.of)) {
-            if only_periods[region] {
+            if by_periods[region] {
                 self.count(step, changes);
-            }
-            if only_periods[region] && matches!(self.time[region], Some(Clock::Began(_))) {
-                self.periods.insert((step, blink.on, blink.period()));
-                return;
+                if let Some(Clock::Began(_)) = self.time[region] {
+                    self.note_periods(step, changes);
+                    return;
+                }
             }
         }
         self.count_phase(blink);
-    }
-
-    /// By region, whether each of its steps that blinks does so in one way, and asks for its time in no other.
-    fn only_periods(&self, changes: &Changes) -> Vec<bool> {
-        let all: Vec<&(Blinker, Change)> = changes.iter().list();
-        let mut only = vec![self.clocks == Clocks::Read; self.state.len()];
-        for (at, (of, change)) in all.iter().enumerate() {
-            let (Change::Blink(_, period), Some(region)) = (change, self.region_of(*of)) else { continue };
-            // What changes with the same time stands together.
-            let mut beside = at.checked_sub(1).and_then(|before| all.get(before)).into_iter().and(all.get(at + 1));
-            only[region] &= *period <= HIGHEST && beside.all(|(other, _)| other != of);
-        }
-        only
     }
 
     fn count_phase(&mut self, blink: Blink) {
@@ -236,6 +221,9 @@ impl<'m> Lower<'_, 'm> {
             if !leaving.leaves(*of, end) {
                 self.outlasted.insert((*of, end));
             }
+            if matches!(of, Blinker::Step(step) if self.periods_of(*step).is_some()) {
+                continue;
+            }
             match longest.iter_mut().find(|(other, _)| other == of) {
                 Some((_, longest)) => *longest = end.max(*longest),
                 None => longest.push((*of, end)),
@@ -243,8 +231,8 @@ impl<'m> Lower<'_, 'm> {
         }
         self.longest = longest;
         // The second part of a period is what lies after the first.
-        for (step, on, _) in &self.periods {
-            self.outlasted.insert((Blinker::Step(*step), *on));
+        for periods in &self.periods {
+            self.outlasted.extend(periods.only());
         }
     }
 

@@ -3,6 +3,7 @@
 use super::Lower;
 use super::changes::{Change, changes};
 use super::clocks::{Clock, literal};
+use super::periods::phase;
 use crate::list::{List, PushAll};
 use crate::model::{Blinker, Expr as Written, Qualifier, StepId};
 use crate::program::build::{all, any, at_least, choose, compare, less, not, sub, ticks};
@@ -105,30 +106,28 @@ impl<'m> Lower<'_, 'm> {
                 }
             }
             Change::Always => wait(active, reading, ticks(1)),
-            Change::Blink(on, period) if self.has_periods(of) => {
-                let Some(clock) = self.clock(of) else { return };
+            Change::Blink(on, period) => {
+                let until = |phase: Expr<'m>| sub(choose(less(phase.clone(), ticks(on)), ticks(on), ticks(period)), phase);
+                let Some(clock) = self.clock_of_periods(of) else {
+                    let role = self.phase_role(crate::model::Blink { of, on, off: period.saturating_sub(on) });
+                    let Some(phases) = self.phases.iter().find(|phases| phases.role == role) else { return };
+                    wait(active, reading, until(Expr::Place(phases.phase)));
+                    return;
+                };
                 if !self.counts_from_beginning() {
-                    let passed = clock.passed(Expr::Place(reading));
-                    let end = choose(less(passed.clone(), ticks(on)), ticks(on), ticks(period));
-                    wait(active, reading, sub(end, passed));
+                    wait(active, reading, until(phase(clock.passed(Expr::Place(reading)), period)));
                     return;
                 }
                 let first = self.passed_of(of).map(|passed| not(Expr::Place(passed)));
                 wait(all([active.clone()].into_iter().and(first).list()), clock.place(), ticks(on));
                 wait(active, clock.place(), ticks(period));
             }
-            Change::Blink(on, period) => {
-                let role = self.phase_role(crate::model::Blink { of, on, off: period.saturating_sub(on) });
-                let Some(phases) = self.phases.iter().find(|phases| phases.role == role) else { return };
-                let phase = Expr::Place(phases.phase);
-                let end = choose(less(phase.clone(), ticks(on)), ticks(on), ticks(period));
-                wait(active, reading, sub(end, phase));
-            }
         }
     }
 
-    fn has_periods(&self, of: Blinker) -> bool {
-        self.periods.iter().any(|(step, ..)| Blinker::Step(*step) == of)
+    fn clock_of_periods(&self, of: Blinker) -> Option<Clock> {
+        let Blinker::Step(step) = of else { return None };
+        self.periods_of(step).and_then(|_| self.clock(of))
     }
 
     /// Whether some time is counted. Such a time can end more than 2^31 ticks after the last cycle, where it cannot be compared with a reading, so all are told from that
@@ -153,7 +152,7 @@ impl<'m> Lower<'_, 'm> {
             1 => self.time[0].is_some(),
             regions => !self.model.forceable && regions <= FEW_REGIONS && self.late().is_empty(),
         };
-        few && !others && !twice
+        few && !others && !twice && self.periods.iter().all(|periods| periods.only().is_some())
     }
 
     /// Whether a time of the active step of a region is over has to be remembered where the reading of the last cycle does not tell.

@@ -4,6 +4,7 @@
 //!
 //! - `places`: what is stored
 //! - `clocks`, `changes`: which times are counted, which are readings of the clock; with what they are compared
+//! - `periods`: of what blinks, how its time is kept short
 //! - `view`: what an expression reads, at each moment of the cycle
 //! - `time`, `sample`: times that pass and begin; edges, delays and combinational variables
 //! - `decide`: which transitions clear
@@ -21,6 +22,7 @@ mod decide;
 mod forced;
 mod grafcet;
 mod hierarchy;
+mod periods;
 mod places;
 mod runs;
 mod sample;
@@ -38,6 +40,7 @@ use crate::model::{Blinker, Effect, Id, Model, PartialId, Place, Qualifier, Step
 use crate::sorted::Set;
 
 use clocks::Clock;
+use periods::Periods;
 use places::{Delays, Edges, Phases};
 
 /// What has no program.
@@ -161,8 +164,8 @@ struct Lower<'r, 'm> {
     macro_time: Vec<Option<Clock>>,
     macro_reached: Vec<Option<PlaceId>>,
     phases: Vec<Phases>,
-    /// The steps whose time is that since their last period began: with its first part, and all of it.
-    periods: Set<(StepId, u32, u32)>,
+    /// Of the steps whose time tells how far a period is.
+    periods: Vec<Periods>,
     /// The longest time that each is compared with.
     longest: Vec<(Blinker, u32)>,
     /// The times that can be over while their step stays active.

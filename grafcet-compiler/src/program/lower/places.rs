@@ -56,7 +56,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             macro_time: Vec::new(),
             macro_reached: Vec::new(),
             phases: Vec::new(),
-            periods: Set::new(),
+            periods: Vec::new(),
             longest: Vec::new(),
             outlasted: Set::new(),
             passed: Vec::new(),

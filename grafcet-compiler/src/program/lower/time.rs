@@ -30,13 +30,6 @@ impl<'m> Lower<'_, 'm> {
         }
         // `new` does not know the clock.
         when(&mut body, Expr::Place(self.first), begun);
-        for (step, _, period) in &self.periods {
-            let Some(clock) = self.clock(Blinker::Step(*step)) else { continue };
-            let is_over = all(vec![self.is(*step), at_least(clock.passed(Expr::Now), ticks(*period))]);
-            let left = Expr::Period(Box::new(zero()), Box::new(clock.passed(Expr::Now)), *period);
-            let anew = Expr::Since(Box::new(Expr::Now), Box::new(left));
-            when(&mut body, is_over, vec![Statement::Set(clock.place(), anew)]);
-        }
         let Some(elapsed) = self.elapsed else { return body };
         for phases in &self.phases {
             let (phase, passed) = (Expr::Place(phases.phase), Expr::Place(elapsed));
@@ -103,6 +96,7 @@ impl<'m> Lower<'_, 'm> {
         for bound in self.longest.iter().filter(|bound| self.outlasted.contains(*bound)) {
             body.push_all(self.bound_time(bound));
         }
+        body.push_all(self.move_periods());
         body
     }
 
@@ -115,7 +109,7 @@ impl<'m> Lower<'_, 'm> {
                 if let Blinker::Step(step) = of {
                     asked.push(self.is(*step));
                 }
-                over.push(self.is_over(*of, *end));
+                over.push(self.second_part(*of, *end).unwrap_or_else(|| self.is_over(*of, *end)));
             }
             let note = Statement::Set(*passed, any(over));
             // Nobody asks for it beside other steps, so there it may be stale. Of one region it is told in each state, as `moved` puts the mark in its place.
@@ -134,7 +128,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     /// It has been active before the cycle, still is, and a time is over.
-    fn is_over(&self, of: Blinker, time: u32) -> Expr<'m> {
+    pub(super) fn is_over(&self, of: Blinker, time: u32) -> Expr<'m> {
         let Some(clock) = self.clock(of) else { return no() };
         let (was, is) = match of {
             Blinker::Step(step) => (self.was(step), self.is(step)),

@@ -1,6 +1,7 @@
 //! What an expression of the user reads, at each moment of the cycle.
 
 use super::Lower;
+use super::periods::is_on;
 use crate::list::List;
 use crate::model::{Blink, Blinker, Expr as Written, Id, MacroId, Name, Read, StepId, TimeRef, Tree};
 use crate::program::build::{all, any, at_least, choose, less, no, not, ticks, yes, zero};
@@ -165,8 +166,8 @@ impl<'m> Lower<'_, 'm> {
     /// In the first part of each period since the activation.
     fn blink(&self, blink: Blink, moment: Moment) -> Expr<'m> {
         if let Blinker::Step(step) = blink.of {
-            if self.periods.contains(&(step, blink.on, blink.period())) {
-                return all(vec![self.active(step, moment), less(self.since_active(step, moment), ticks(blink.on))]);
+            if self.periods_of(step).is_some() {
+                return all(vec![self.active(step, moment), is_on(self.since_active(step, moment), blink)]);
             }
         }
         let role = self.phase_role(blink);

@@ -18,7 +18,7 @@
 
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
 use super::edits::blocks_mut;
-use super::uses::{blocks, is_written_in, mentions, reads_from, writes_to};
+use super::uses::{blocks, has, is_written_in, mentions, reads_from, writes_to};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -78,47 +78,41 @@ impl Region {
         Some(asked)
     }
 
-    /// What is asked in some statements; whether they write the state.
-    fn block(&self, statements: &[Statement<'_>], mut known: Known, asked: &mut Vec<Value>) -> Option<bool> {
-        let mut writes_any = false;
+    /// What is asked in some statements; what is known after them.
+    fn block(&self, statements: &[Statement<'_>], mut known: Known, asked: &mut Vec<Value>) -> Option<Known> {
         for statement in statements {
-            let writes = match statement {
-                Statement::Set(place, Expr::Value(value)) if *place == self.state => {
-                    known = Some(vec![*value]);
-                    writes_any = true;
-                    continue;
-                }
+            known = match statement {
+                Statement::Set(place, Expr::Value(value)) if *place == self.state => Some(vec![*value]),
                 Statement::Set(place, value) => {
                     self.narrowed(value, known.clone(), asked)?;
-                    *place == self.state
+                    known.filter(|_| *place != self.state)
                 }
                 Statement::If(condition, then, otherwise) => {
                     let inner = self.narrowed(condition, known.clone(), asked)?;
-                    self.block(then, inner, asked)? | self.block(otherwise, known.clone(), asked)?
+                    either(self.block(then, inner, asked)?, self.block(otherwise, known, asked)?)
                 }
                 Statement::Match(place, arms, otherwise) => {
-                    let mut writes = self.block(otherwise, known.clone(), asked)?;
+                    let mut after = self.block(otherwise, known.clone(), asked)?;
                     for (values, body) in arms {
                         let inner = if *place == self.state { Some(values.clone()) } else { known.clone() };
-                        writes |= self.block(body, inner, asked)?;
+                        after = either(after, self.block(body, inner, asked)?);
                     }
-                    writes
+                    after
                 }
-                Statement::Loop { body, .. } => self.block(body, None, asked)?,
-                Statement::Part(_, body) => self.block(body, known.clone(), asked)?,
+                Statement::Loop { body, .. } => {
+                    self.block(body, None, asked)?;
+                    known.filter(|_| !is_written_in(body, self.state))
+                }
+                Statement::Part(_, body) => self.block(body, known, asked)?,
                 other => {
                     if reads_from(other, self.since) {
                         asked.extend(known.clone()?);
                     }
-                    writes_to(other, self.state)
+                    known.filter(|_| !writes_to(other, self.state))
                 }
             };
-            if writes {
-                known = None;
-            }
-            writes_any |= writes;
         }
-        Some(writes_any)
+        Some(known)
     }
 
     /// What is known where an expression holds. Where it reads the time, something has to be known of the state.
@@ -150,6 +144,9 @@ impl Region {
     /// Whether each way to a step that asks for the time begins it, and each way leads to one that is known.
     fn begins(&self, statements: &[Statement<'_>], asked: &[Value]) -> bool {
         for (at, statement) in statements.iter().enumerate() {
+            if self.begins_after(&statements[at..]) {
+                continue;
+            }
             let fits = match statement {
                 Statement::Set(place, value) if *place == self.state => match value {
                     Expr::Value(value) if asked.contains(value) => {
@@ -165,6 +162,21 @@ impl Region {
             }
         }
         true
+    }
+
+    /// Whether the time begins after the first of some statements wherever the state differs from that before the evolution, which is copied before them.
+    fn begins_after(&self, statements: &[Statement<'_>]) -> bool {
+        let Some(end) = statements.iter().position(|one| self.begins_where_it_differs(one)) else { return false };
+        let is_in_between = |one: &Statement<'_>| {
+            has(std::slice::from_ref(one), &|inner| matches!(inner, Statement::Break))
+                || self.copies.iter().any(|was| is_written_in(std::slice::from_ref(one), *was))
+        };
+        end > 0 && !statements[..end].iter().any(is_in_between)
+    }
+
+    fn begins_where_it_differs(&self, statement: &Statement<'_>) -> bool {
+        let Statement::If(Expr::Compare(Comparison::Differs, _, state), ..) = statement else { return false };
+        matches!(**state, Expr::Place(state) if state == self.state) && self.begins_here(statement, None)
     }
 
     /// Whether it is the beginning of the time, be it only where the step was not active before.
@@ -214,6 +226,17 @@ impl Region {
         }
         writes
     }
+}
+
+/// What is known where two ways come together.
+fn either(one: Known, other: Known) -> Known {
+    let (mut all, other) = (one?, other?);
+    for value in other {
+        if !all.contains(&value) {
+            all.push(value);
+        }
+    }
+    Some(all)
 }
 
 /// The locals to which a state is copied once in each evolution: in the loop, if there is one.

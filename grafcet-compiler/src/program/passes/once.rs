@@ -17,6 +17,13 @@
 //!                                                  since = …
 //! ```
 //!
+//! What does nothing where the condition in front of it holds is asked only where that does not.
+//!
+//! ```text
+//! if again && n < 3: state = Fill              if again && n < 3: state = Fill
+//! if again && n >= 3: state = Drain     ->     else if again && n >= 3: state = Drain
+//! ```
+//!
 //! Needs: nothing.
 
 use super::super::build::{all, any, no, not, yes};
@@ -41,6 +48,9 @@ pub(super) fn statements<'m>(model: &'m Model, statements: &mut Vec<Statement<'m
 
 /// Of so much that is asked and done is it tried out, on one way, what it would be if conditions were taken apart.
 const EFFORT: usize = 4000;
+
+/// Of so much that is asked and done is it found out whether it does nothing where a condition in front of it holds.
+const CHAINED: usize = 100;
 
 /// So many comparisons in the user's own Rust are remembered on one way.
 const USERS: usize = 32;
@@ -192,6 +202,9 @@ impl<'m> Learned<'m> {
 }
 
 fn block<'m>(statements: &mut Vec<Statement<'m>>, learned: &mut Learned<'m>) {
+    if !learned.is_trying {
+        chain(learned.model, statements);
+    }
     let mut new = Vec::with_capacity(statements.len());
     let last = statements.len().saturating_sub(1);
     for (at, statement) in statements.drain(..).enumerate() {
@@ -223,6 +236,29 @@ fn block<'m>(statements: &mut Vec<Statement<'m>>, learned: &mut Learned<'m>) {
         join(&mut new);
     }
     *statements = new;
+}
+
+/// Conditions of which at most one holds, one after the other, are asked one where the other does not hold.
+fn chain<'m>(model: &'m Model, statements: &mut Vec<Statement<'m>>) {
+    for at in (1..statements.len()).rev() {
+        let [.., Statement::If(condition, then, otherwise), next @ Statement::If(..)] = &statements[..=at] else {
+            continue;
+        };
+        if !otherwise.is_empty() || !is_pure(condition) || size(std::slice::from_ref(next)) > CHAINED {
+            continue;
+        }
+        let mut learned = Learned { is_trying: true, ..Learned::of(model) };
+        learned.learn(condition, true);
+        learned.forget(then);
+        let mut left = vec![next.clone()];
+        block(&mut left, &mut learned);
+        if left.is_empty() {
+            let next = statements.remove(at);
+            if let Some(Statement::If(_, _, otherwise)) = statements.get_mut(at - 1) {
+                otherwise.push(next);
+            }
+        }
+    }
 }
 
 /// Two that ask for the same, one after the other, are one.
@@ -263,7 +299,10 @@ fn branches<'m>(
             branches(&rest, then, otherwise, learned, &mut met);
         });
         under(&mut unmet, &part, false, learned);
-        new.push(Statement::If(part, met, unmet));
+        new.push(match part {
+            Expr::Not(part) if !unmet.is_empty() => Statement::If(*part, unmet, met),
+            part => Statement::If(part, met, unmet),
+        });
         return;
     }
     under(&mut then, &condition, true, learned);

@@ -194,14 +194,19 @@ fn a_counted_time_begins_where_the_state_differs() {
     }
 }
 
-/// How far a period is concerns the steps that blink so; it is counted and begun there alone.
+/// How far a period is concerns the steps that blink so; where the time of the step does not tell, it is counted and begun there alone.
 #[test]
 fn a_period_is_counted_where_something_blinks() {
-    let chart = "sfc Lamp { input a, b: bool; output p, q: bool; initial step Idle; step Warn { p if blink(2ms/3ms); } step Alarm { q if blink(2ms/3ms); p; } step Rest; \
-         Idle -[a]-> Warn -[b && 6ms/Warn]-> Alarm -[!b]-> Rest -[7ms/Rest || a]-> Idle; Warn -[!a && !b]-> Warn; Alarm -[b && 9ms/Alarm]-> Warn; }";
+    let chart = "sfc Lamp { input a, b: bool; output p, q: bool; initial step Idle; step Warn { p if blink(2ms/3ms); q if blink(1ms/4ms); } step Alarm { q if blink(2ms/3ms); p; } step Rest; \
+         Idle -[a]-> Warn -[b && 96ms/Warn]-> Alarm -[!b]-> Rest -[7ms/Rest || a]-> Idle; Warn -[!a && !b]-> Warn; Alarm -[b && 9ms/Alarm]-> Warn; }";
     let program = text(chart);
     let cycle = program.split("deadline").next().unwrap_or_default();
-    assert_eq!(cycle.matches("period(").count(), 2, "{program}");
+    assert_eq!(cycle.matches("period(phase").count(), 2, "{program}");
+    beside_the_interpreter(chart);
+}
+
+/// With and without branches, of both dialects.
+fn beside_the_interpreter(chart: &str) {
     let inside = chart.replacen(
         "step Alarm {",
         "step Beside { p if blink(1ms/4ms); } step After; Rest -[a && b]-> (Alarm, Beside); Beside -[a]-> After -[b]-> Beside; step Alarm {",
@@ -212,6 +217,24 @@ fn a_period_is_counted_where_something_blinks() {
             each_left_out(&read(&chart.replacen("sfc", dialect, 1)), &storm(&["a", "b"], 300), 150);
         }
     }
+}
+
+/// A step that blinks needs no count beside its time: that stays beyond what else asks for it, and goes on by whole periods. Transitions ask for the same.
+#[test]
+fn the_time_of_a_step_tells_how_far_its_period_is() {
+    let chart = "sfc Lamp { input a, b: bool; output p, q: bool; initial step Idle; step Warn { p if blink(2ms/1ms); q if Warn.T > 5ms; } step Alarm { q if blink(2ms/3ms); p; } step Rest { p if blink(1ms/1ms); q if blink(3ms/1ms); } \
+         Idle -[a]-> Warn -[b && 7ms/Warn && !blink(2ms/1ms)]-> Alarm -[!b]-> Rest -[7ms/Rest && !b || a]-> Idle; Alarm -[a && b && 9ms/Alarm]-> Warn; \
+         Alarm -[b && !a && 4ms/Alarm && blink(2ms/3ms)]-> Idle; }";
+    let program = text(chart);
+    assert!(!program.contains("phase"), "{program}");
+    // Three periods of three, two of five, and two of what two and four divide: seven and nine are over by then.
+    assert!(program.contains("9ms + period(0s, passed, 3ms)"), "{program}");
+    assert!(program.contains("10ms + period(0s, passed, 5ms)"), "{program}");
+    assert!(program.contains("8ms + period(0s, passed, 4ms)"), "{program}");
+    beside_the_interpreter(chart);
+    // Too many periods to look through.
+    let long = text(&chart.replacen("7ms/Warn", "70ms/Warn", 1));
+    assert!(long.contains("period(phase.state.3, elapsed, 3ms)"), "{long}");
 }
 
 /// A line of nine steps with a stop by `any`.
