@@ -43,68 +43,66 @@ impl Long {
                 horn: false,
             }
         };
-        let mut after_: __LongState = self.situation;
-        'once: {
-            #[derive(
-                core::clone::Clone,
-                core::marker::Copy
-            )]
-            enum __Kind4 {
-                K0,
-                K1,
-                K2,
+        #[derive(
+            core::clone::Clone,
+            core::marker::Copy
+        )]
+        enum __Kind4 {
+            K0,
+            K1,
+            K2,
+        }
+        let kind_: __Kind4 = {
+            const KINDS: [__Kind4; 25usize] = [
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K0,
+                __Kind4::K1,
+                __Kind4::K2,
+            ];
+            match <[_]>::get(&KINDS, self.situation as usize) {
+                Option::Some(found_) => *found_,
+                Option::None => KINDS[0],
             }
-            let kind_: __Kind4 = {
-                const KINDS: [__Kind4; 25usize] = [
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K0,
-                    __Kind4::K1,
-                    __Kind4::K2,
-                ];
-                match <[_]>::get(&KINDS, self.situation as usize) {
-                    Option::Some(found_) => *found_,
-                    Option::None => KINDS[0],
-                }
-            };
-            match kind_ {
-                __Kind4::K2 => {}
-                __Kind4::K0 => {
-                    if !inputs_.a {
-                        break 'once;
-                    }
-                }
-                __Kind4::K1 => {
-                    if !inputs_.b {
-                        break 'once;
-                    }
-                }
+        };
+        let goes_: bool;
+        match kind_ {
+            __Kind4::K2 => {
+                goes_ = true;
             }
-            after_ = match after_ {
+            __Kind4::K0 => {
+                goes_ = inputs_.a;
+            }
+            __Kind4::K1 => {
+                goes_ = inputs_.b;
+            }
+        }
+        if goes_ {
+            self.situation = match self.situation {
                 __LongState::S23 => __LongState::S0,
                 __LongState::INIT => __LongState::S0,
                 _ => {
-                    match after_ {
+                    match self.situation {
                         __LongState::S0 => __LongState::S1,
                         __LongState::S1 => __LongState::S2,
                         __LongState::S2 => __LongState::S3,
@@ -133,7 +131,6 @@ impl Long {
                     }
                 }
             };
-            self.situation = after_;
         }
         #[derive(
             core::clone::Clone,
@@ -172,7 +169,7 @@ impl Long {
                 __Kind5::K1,
                 __Kind5::K2,
             ];
-            match <[_]>::get(&KINDS, after_ as usize) {
+            match <[_]>::get(&KINDS, self.situation as usize) {
                 Option::Some(found_) => *found_,
                 Option::None => KINDS[0],
             }
@@ -194,7 +191,7 @@ impl Long {
                     }
                 };
             }
-            _ => {
+            __Kind5::K2 => {
                 outputs_ = const {
                     LongOutputs {
                         lamp: false,

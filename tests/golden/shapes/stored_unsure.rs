@@ -105,17 +105,13 @@ impl StoredUnsure {
             }
             __StoredUnsureState::Close => {
                 self.s_ff_clamp = true;
-                outputs_.clamp = true;
-            }
-            __StoredUnsureState::Work => {
-                outputs_.clamp = self.s_ff_clamp;
             }
             __StoredUnsureState::Fault => {
-                outputs_.clamp = self.s_ff_clamp;
                 outputs_.red = true;
             }
             _ => {}
         }
+        outputs_.clamp = self.s_ff_clamp;
         outputs_
     }
     /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller

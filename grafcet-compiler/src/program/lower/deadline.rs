@@ -107,7 +107,8 @@ impl<'m> Lower<'_, 'm> {
             }
             Change::Always => wait(active, reading, ticks(1)),
             Change::Blink(on, period) => {
-                let until = |phase: Expr<'m>| sub(choose(less(phase.clone(), ticks(on)), ticks(on), ticks(period)), phase);
+                let until =
+                    |phase: Expr<'m>| sub(choose(less(phase.clone(), ticks(on)), ticks(on), ticks(period)), phase);
                 let Some(clock) = self.clock_of_periods(of) else {
                     let role = self.phase_role(crate::model::Blink { of, on, off: period.saturating_sub(on) });
                     let Some(phases) = self.phases.iter().find(|phases| phases.role == role) else { return };

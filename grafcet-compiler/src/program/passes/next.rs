@@ -16,7 +16,8 @@
 //! ```
 //!
 //! After a state from a table LLVM cannot go on by itself to what that state does: there is one dispatch more, and what is done after the ways
-//! is there once. A step with several ways has the last one in the table, as those before it are taken more often.
+//! is there once. A step with several ways has the last one in the table, as those before it are taken more often; or the one to the step that is declared after it,
+//! where more steps share an arm then, as those of a sequence with watchdogs.
 //!
 //! In the search of a `grafcet` the ways that do not go on leave the loop. Needs: each way through it ends in one state at most.
 
@@ -28,6 +29,7 @@ use super::split::merged;
 use super::store::writes_state;
 use super::uses::{is_pure, is_read_in, is_written_in, same, writes_to};
 use crate::list::List;
+use crate::model::Id;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let is_search = |one: &Statement<'_>| matches!(one, Statement::Loop { rounds: 2.., .. });
@@ -37,20 +39,20 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
 }
 
+/// Whether one evolution goes on by such a table.
+pub(super) fn applies(program: &Program<'_>) -> bool {
+    let mut tried = program.clone();
+    scan(&mut tried);
+    tried.places.len() > program.places.len()
+}
+
 /// The same in the search of a `grafcet`, whose ways leave the loop where nothing goes on.
 fn search(program: &mut Program<'_>, at: usize) {
     let goes = PlaceId(program.places.len());
     let Statement::Loop { body, .. } = &mut program.cycle[at] else { return };
     let Some(Statement::Match(state, arms, otherwise)) = body.first() else { return };
-    let state = *state;
-    let mut next = Next { state, goes, begins: Vec::new(), table: Vec::new() };
-    let mut new: Vec<Arm<'_>> = Vec::with_capacity(arms.len());
-    for (values, arm) in arms {
-        let [own] = values[..] else { return };
-        let Some(arm) = next.arm(own, arm) else { return };
-        new.push((values.clone(), arm));
-    }
-    let (before, mut new) = (new.len(), merged(new));
+    let (state, before) = (*state, arms.len());
+    let Some((next, mut new)) = Next::fewest((state, goes), &[], arms) else { return };
     if before < LONG || next.table.is_empty() || !is_smaller(before, new.len()) {
         return;
     }
@@ -103,15 +105,9 @@ fn scan(program: &mut Program<'_>) {
         Some((was, begins)) => (Some(was), begins.to_vec()),
         None => (None, Vec::new()),
     };
-    let mut next = Next { state, goes, begins, table: Vec::new() };
-    let mut new: Vec<Arm<'_>> = Vec::with_capacity(arms.len());
-    for (values, body) in arms {
-        let [own] = values[..] else { return };
-        let Some(body) = next.arm(own, body) else { return };
-        new.push((values.clone(), body));
-    }
-    let before = new.len();
-    let new = timed(merged(new), state, goes);
+    let before = arms.len();
+    let Some((next, new)) = Next::fewest((state, goes), &begins, arms) else { return };
+    let new = timed(new, state, goes);
     if !is_smaller(before, new.len()) {
         return;
     }
@@ -144,8 +140,17 @@ fn begins<'s, 'm>(after: &'s [Statement<'m>], state: PlaceId) -> Option<(PlaceId
     }
 }
 
+/// Which of several ways of a step takes what is next from the table.
+#[derive(Clone, Copy)]
+enum Chosen {
+    Last,
+    /// That to the step declared after it; without one the last.
+    Onward,
+}
+
 /// What the ways become.
 struct Next<'m> {
+    chosen: Chosen,
     state: PlaceId,
     /// Whether the table says what is next.
     goes: PlaceId,
@@ -155,10 +160,38 @@ struct Next<'m> {
 }
 
 impl<'m> Next<'m> {
+    /// With the way in the table that lets more steps share an arm.
+    fn fewest(
+        (state, goes): (PlaceId, PlaceId),
+        begins: &[Statement<'m>],
+        arms: &[Arm<'m>],
+    ) -> Option<(Self, Vec<Arm<'m>>)> {
+        let of = |chosen| Self { chosen, state, goes, begins: begins.to_vec(), table: Vec::new() }.arms(arms);
+        let (last, onward) = (of(Chosen::Last)?, of(Chosen::Onward)?);
+        let alike = merged(arms.to_vec()).len();
+        Some(if onward.1.len() + SHARED <= alike.min(last.1.len()) { onward } else { last })
+    }
+
+    fn arms(mut self, arms: &[Arm<'m>]) -> Option<(Self, Vec<Arm<'m>>)> {
+        let mut new: Vec<Arm<'m>> = Vec::with_capacity(arms.len());
+        for (values, body) in arms {
+            let [own] = values[..] else { return None };
+            new.push((values.clone(), self.arm(own, body)?));
+        }
+        Some((self, merged(new)))
+    }
+
     fn arm(&mut self, own: Value, body: &[Statement<'m>]) -> Option<Vec<Statement<'m>>> {
         let mut ends = Vec::new();
         self.ends(body, &mut ends)?;
-        let Some(to) = ends.into_iter().rfind(|to| *to != own) else { return Some(body.to_vec()) };
+        let is_onward = |to: &Value| match (self.chosen, own, *to) {
+            (Chosen::Onward, Value::Step(Some(own)), Value::Step(Some(to))) => own.index() + 1 == to.index(),
+            _ => false,
+        };
+        let onward = ends.iter().copied().find(is_onward);
+        let Some(to) = onward.or_else(|| ends.into_iter().rfind(|to| *to != own)) else {
+            return Some(body.to_vec());
+        };
         self.table.push((own, to));
         let mut body = body.to_vec();
         self.lead(&mut body, own, to);
@@ -226,6 +259,10 @@ fn without(cycle: &mut Vec<Statement<'_>>, was: PlaceId) {
 
 /// In a search of fewer steps a table costs more than it saves (Selection 172 → 191 bytes, 89.4 → 100.8 instructions).
 const LONG: usize = 20;
+
+/// So many arms less there have to be so that steps are worth a table that share no arm as they are, nor with their last ways in it: of Picker one was less, which took
+/// 35 bytes more, of a handling unit with a watchdog for each step three and five, which took 80 less.
+const SHARED: usize = 3;
 
 /// Where few arms become one, LLVM does better with states that it knows.
 fn is_smaller(before: usize, arms: usize) -> bool {

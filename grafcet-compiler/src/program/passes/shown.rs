@@ -20,7 +20,7 @@
 //!   else: lamp = memory
 //! ```
 //!
-//! Needs: several regions (of one, `join` finds out by the state); nothing asks for the output within the cycle; on each way it ends with the value of the field, or is
+//! Needs: nothing asks for the output within the cycle; on each way it ends with the value of the field, or is
 //! set at most once, to true, to more than the field, or to anything where the field is false.
 
 use super::super::build::{any, yes};
@@ -36,7 +36,7 @@ const PLACES: usize = 3;
 const MOST: usize = 64;
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    if program.regions.len() < 2 || program.forced.is_some() {
+    if program.forced.is_some() {
         return;
     }
     let mut pairs = Vec::new();
@@ -218,10 +218,11 @@ impl<'m> Shown<'_, 'm> {
                 }
                 met
             }
-            Statement::Loop { .. } | Statement::Break => return None,
+            Statement::Break => return None,
             other => {
                 let effects = Effects::of(other);
-                if effects.reads.contains(&self.output) {
+                let is_within = matches!(other, Statement::Loop { .. }) && effects.writes.contains(&self.output);
+                if effects.reads.contains(&self.output) || is_within {
                     return None;
                 }
                 let changed = effects.writes.contains(&self.field);

@@ -14,19 +14,24 @@
 //! LLVM chooses between constants then, and goes on from each way to what its state does. Arms that differ in their own state alone are one.
 //!
 //! Needs: the match stands in no loop, and nothing after it writes the state; the ways do nothing but that. Where they do more they come together after it at a cost
-//! (Laundry 792 -> 866 bytes, 24.5 -> 26.7 instructions).
+//! (Laundry 792 -> 866 bytes, 24.5 -> 26.7 instructions). So they do where most states have several ways, each of which brings a constant (a sequence of 18 steps with watchdogs
+//! 442 -> 622 bytes), and a table of the next states is smaller (`next`), which `optimize size;` wants.
 
 use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
 use super::edits::rename;
 use super::many::complete;
+use super::next;
 use super::split::merged;
-use super::uses::{Effects, is_written_in};
+use super::uses::{Effects, is_written_in, same, sum};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let Some(at) = program.cycle.iter().position(|statement| writes_state(program, statement)) else { return };
     let mut decides = program.cycle[at].clone();
-    let Statement::Match(state, ..) = decides else { return };
-    if is_written_in(&program.cycle[at + 1..], state) {
+    let Statement::Match(state, ref arms, _) = decides else { return };
+    if is_written_in(&program.cycle[at + 1..], state) || have_several_ways(arms, state) {
+        return;
+    }
+    if program.model.optimize_size && next::applies(program) {
         return;
     }
     // A state from which no way leads may have no arm: what is stored after is the same for it.
@@ -78,6 +83,31 @@ fn end(body: &mut Vec<Statement<'_>>, state: PlaceId, after: PlaceId) -> bool {
         }
         [Statement::If(_, then, otherwise)] => end(then, state, after) && end(otherwise, state, after),
         _ => false,
+    }
+}
+
+/// Whether most states have several ways that lead to a state, beside the one that most of them ask for first (`common`).
+fn have_several_ways(arms: &[Arm<'_>], state: PlaceId) -> bool {
+    let (mut most, mut votes) = (None, 0_usize);
+    for condition in arms.iter().filter_map(first_condition) {
+        match most {
+            Some(one) if same(one, condition) => votes += 1,
+            _ if votes > 0 => votes -= 1,
+            _ => (most, votes) = (Some(condition), 1),
+        }
+    }
+    let is_several = |arm: &&Arm<'_>| {
+        let ways = sum(&arm.1, &|one| usize::from(matches!(one, Statement::Set(place, _) if *place == state)));
+        let is_most = most.is_some_and(|most| first_condition(arm).is_some_and(|own| same(own, most)));
+        ways > 1 + usize::from(is_most)
+    };
+    2 * arms.iter().filter(is_several).count() > arms.len()
+}
+
+fn first_condition<'a, 'm>((_, body): &'a Arm<'m>) -> Option<&'a Expr<'m>> {
+    match body.first() {
+        Some(Statement::If(condition, ..)) => Some(condition),
+        _ => None,
     }
 }
 

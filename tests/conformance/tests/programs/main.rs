@@ -28,6 +28,7 @@ mod passes;
 mod regions;
 mod shapes;
 mod synchronised;
+mod watched;
 
 #[path = "../../../charts/mod.rs"]
 #[allow(dead_code, unreachable_pub, reason = "its other half is for expansions")]

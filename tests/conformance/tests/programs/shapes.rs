@@ -42,7 +42,8 @@ const KINDS_NEVER: &[(&str, Option<&str>, &str)] = &[
 
 /// What a program does not tell of its Rust.
 const FORMS: &[(&str, &str)] = &[
-    ("a period that is counted", "phase("), ("a period that the time of its step tells", "rest("),
+    ("a period that is counted", "phase("),
+    ("a period that the time of its step tells", "rest("),
     ("a default of a type of the user", "default_value::<"),
     ("values of a type of the user that are compared", "is_same::<"),
     ("a constant of the user", "Code::NONE"),
