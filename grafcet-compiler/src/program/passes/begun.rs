@@ -16,10 +16,13 @@
 //! Needs: whoever reads the time knows from the state of the region that a step is active that asks for it. Each way sets the state to one step, and begins the time there
 //! where it asks for one.
 
+use std::ops::Range;
+
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
 use super::edits::blocks_mut;
 use super::uses::{blocks, has, is_written_in, mentions, reads_from, writes_to};
 use crate::list::List;
+use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 || program.forced.is_some() {
@@ -54,12 +57,12 @@ struct Region {
 }
 
 /// What the state of a region can be; nothing is known without one.
-type Known = Option<Vec<Value>>;
+type Known = Option<Set<Value>>;
 
 impl Region {
     /// The states in which the time is read.
-    fn asked(&self, program: &Program<'_>) -> Option<Vec<Value>> {
-        let mut asked = Vec::new();
+    fn asked(&self, program: &Program<'_>) -> Option<Set<Value>> {
+        let mut asked = Set::new();
         self.block(&program.cycle, None, &mut asked)?;
         let deadline = program.deadline.as_ref()?;
         for wait in &deadline.waits {
@@ -79,10 +82,10 @@ impl Region {
     }
 
     /// What is asked in some statements; what is known after them.
-    fn block(&self, statements: &[Statement<'_>], mut known: Known, asked: &mut Vec<Value>) -> Option<Known> {
+    fn block(&self, statements: &[Statement<'_>], mut known: Known, asked: &mut Set<Value>) -> Option<Known> {
         for statement in statements {
             known = match statement {
-                Statement::Set(place, Expr::Value(value)) if *place == self.state => Some(vec![*value]),
+                Statement::Set(place, Expr::Value(value)) if *place == self.state => Some(set(&[*value])),
                 Statement::Set(place, value) => {
                     self.narrowed(value, known.clone(), asked)?;
                     known.filter(|_| *place != self.state)
@@ -94,7 +97,7 @@ impl Region {
                 Statement::Match(place, arms, otherwise) => {
                     let mut after = self.block(otherwise, known.clone(), asked)?;
                     for (values, body) in arms {
-                        let inner = if *place == self.state { Some(values.clone()) } else { known.clone() };
+                        let inner = if *place == self.state { Some(set(values)) } else { known.clone() };
                         after = either(after, self.block(body, inner, asked)?);
                     }
                     after
@@ -116,7 +119,7 @@ impl Region {
     }
 
     /// What is known where an expression holds. Where it reads the time, something has to be known of the state.
-    fn narrowed(&self, expr: &Expr<'_>, known: Known, asked: &mut Vec<Value>) -> Option<Known> {
+    fn narrowed(&self, expr: &Expr<'_>, known: Known, asked: &mut Set<Value>) -> Option<Known> {
         match expr {
             Expr::All(parts) => {
                 let mut inner = known;
@@ -130,7 +133,7 @@ impl Region {
                 if let Some(known) = known {
                     values.retain(|value| known.contains(value));
                 }
-                Some(Some(values))
+                Some(Some(set(&values)))
             }
             other => {
                 if mentions(other, self.since) {
@@ -142,9 +145,10 @@ impl Region {
     }
 
     /// Whether each way to a step that asks for the time begins it, and each way leads to one that is known.
-    fn begins(&self, statements: &[Statement<'_>], asked: &[Value]) -> bool {
+    fn begins(&self, statements: &[Statement<'_>], asked: &Set<Value>) -> bool {
+        let begun = self.begun_after(statements);
         for (at, statement) in statements.iter().enumerate() {
-            if self.begins_after(&statements[at..]) {
+            if begun.contains(&at) {
                 continue;
             }
             let fits = match statement {
@@ -164,14 +168,15 @@ impl Region {
         true
     }
 
-    /// Whether the time begins after the first of some statements wherever the state differs from that before the evolution, which is copied before them.
-    fn begins_after(&self, statements: &[Statement<'_>]) -> bool {
-        let Some(end) = statements.iter().position(|one| self.begins_where_it_differs(one)) else { return false };
+    /// After which of some statements the time begins wherever the state differs from that before the evolution, which is copied before them.
+    fn begun_after(&self, statements: &[Statement<'_>]) -> Range<usize> {
+        let Some(end) = statements.iter().rposition(|one| self.begins_where_it_differs(one)) else { return 0..0 };
         let is_in_between = |one: &Statement<'_>| {
             has(std::slice::from_ref(one), &|inner| matches!(inner, Statement::Break))
                 || self.copies.iter().any(|was| is_written_in(std::slice::from_ref(one), *was))
         };
-        end > 0 && !statements[..end].iter().any(is_in_between)
+        let from = statements[..end].iter().rposition(is_in_between).map_or(0, |at| at + 1);
+        from..end
     }
 
     fn begins_where_it_differs(&self, statement: &Statement<'_>) -> bool {
@@ -194,7 +199,7 @@ impl Region {
     }
 
     /// Nothing begins where the step that becomes active does not ask. `begin` is the initial one if it does not. Returned is whether the state is written.
-    fn thin(&self, statements: &mut Vec<Statement<'_>>, asked: &[Value], begin: Option<Value>) -> bool {
+    fn thin(&self, statements: &mut Vec<Statement<'_>>, asked: &Set<Value>, begin: Option<Value>) -> bool {
         let (mut leads, mut writes_within) = (Vec::new(), false);
         for statement in statements.iter_mut() {
             match statement {
@@ -210,7 +215,7 @@ impl Region {
         writes_within || !leads.is_empty()
     }
 
-    fn thin_within(&self, statement: &mut Statement<'_>, asked: &[Value], begin: Option<Value>) -> bool {
+    fn thin_within(&self, statement: &mut Statement<'_>, asked: &Set<Value>, begin: Option<Value>) -> bool {
         if let (Statement::If(Expr::Place(place), then, _), Some(_)) = (&mut *statement, begin) {
             if Some(*place) == self.first && !is_written_in(then, self.state) {
                 then.retain(|one| !self.begins_here(one, None));
@@ -231,12 +236,14 @@ impl Region {
 /// What is known where two ways come together.
 fn either(one: Known, other: Known) -> Known {
     let (mut all, other) = (one?, other?);
-    for value in other {
-        if !all.contains(&value) {
-            all.push(value);
-        }
-    }
+    all.extend(other.iter().copied());
     Some(all)
+}
+
+fn set(values: &[Value]) -> Set<Value> {
+    let mut all = Set::new();
+    all.extend(values.iter().copied());
+    all
 }
 
 /// The locals to which a state is copied once in each evolution: in the loop, if there is one.

@@ -28,6 +28,7 @@ use super::super::{Expr, PlaceId, Program, Role, Statement, Value};
 use super::edits::{blocks_mut, unset};
 use super::fold::initial;
 use super::uses::{Effects, blocks, is_plain, mentions, sum, writes_to};
+use crate::sorted::Set;
 
 /// From so many places that set it on it pays.
 const PLACES: usize = 3;
@@ -271,7 +272,9 @@ impl<'m> Shown<'_, 'm> {
 /// Whether there is no state left that a region could have.
 fn is_nothing_left(program: &Program<'_>, place: PlaceId, out: &Out) -> bool {
     let Role::State(region) = program.places[place.0].role else { return false };
-    let is_out = |value: Value| out.contains(&(place, value));
+    let mut gone = Set::new();
+    gone.extend(out.iter().filter(|(of, _)| *of == place).map(|(_, value)| *value));
+    let is_out = |value: Value| gone.contains(&value);
     let is_none_out = program.full[region] || is_out(Value::Step(None));
     is_none_out && program.regions[region].iter().all(|step| is_out(Value::Step(Some(*step))))
 }
