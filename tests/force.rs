@@ -181,3 +181,35 @@ fn of_many_situations_none_is_taken_in_which_a_branch_is_missing() {
     assert!(wide.force(&[E1, C5, B3, A1], &inputs).is_ok());
     assert!(wide.force(&[Rest], &inputs).is_ok());
 }
+
+grafcet! {
+    /// Lamps that blink, one of them beside a time of its own.
+    sfc Lamps {
+        forceable;
+        input go: bool;
+        output slow, quick: bool;
+        initial step Idle { slow if blink(700ms/300ms); }
+        step Run { quick if blink(200ms/100ms); }
+        Idle -[go]-> Run -[!go && 500ms/Run]-> Idle;
+    }
+}
+
+/// A step that is put into again and again by hand, and nothing else, blinks on in step beyond the 32 bits of the clock.
+#[test]
+fn what_is_held_by_hand_for_a_hundred_days_goes_on_blinking() {
+    for (step, period, on) in [(LampsStep::Idle, 1_000, 700), (LampsStep::Run, 300, 200)] {
+        let mut lamps = Lamps::new();
+        let inputs = LampsInputs::default();
+        lamps.cycle(&inputs, 0);
+        lamps.force(&[step], &inputs, 0).expect("a situation");
+        let mut passed = 0_u64;
+        for _ in 0..20_000 {
+            passed += 432_017;
+            let now = u32::try_from(passed & 0xFFFF_FFFF).unwrap_or_default();
+            let outputs = lamps.force(&[step], &inputs, now).expect("a situation");
+            let lamp = if step == LampsStep::Idle { outputs.slow } else { outputs.quick };
+            assert_eq!(lamp, passed % period < on, "{step:?} {passed}");
+        }
+        assert!(passed > 2 * u64::from(u32::MAX));
+    }
+}

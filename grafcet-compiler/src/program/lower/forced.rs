@@ -48,6 +48,7 @@ impl<'m> Lower<'_, 'm> {
         for bound in &self.longest {
             body.push_all(self.bound_time(bound));
         }
+        body.push_all(self.move_periods());
         body
     }
 
