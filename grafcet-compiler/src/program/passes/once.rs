@@ -238,7 +238,7 @@ fn block<'m>(statements: &mut Vec<Statement<'m>>, learned: &mut Learned<'m>) {
     *statements = new;
 }
 
-/// Conditions of which at most one holds, one after the other, are asked one where the other does not hold.
+/// Of two conditions that exclude each other, one after the other, the second is asked only where the first does not hold.
 fn chain<'m>(model: &'m Model, statements: &mut Vec<Statement<'m>>) {
     for at in (1..statements.len()).rev() {
         let [.., Statement::If(condition, then, otherwise), next @ Statement::If(..)] = &statements[..=at] else {
