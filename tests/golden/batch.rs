@@ -443,7 +443,7 @@ impl Batch {
             lamp: false,
             speed: 0,
         };
-        let mut elapsed_: ::grafcet::__private::Ticks = now_.since(self.reading);
+        let elapsed_: ::grafcet::__private::Ticks = now_.since(self.reading);
         self.reading = now_;
         ::grafcet::__private::fence_beyond_armv6m();
         self.time_heat = self.time_heat + elapsed_;
@@ -476,109 +476,103 @@ impl Batch {
                 }
             }
         }
-        let mut was_state_idle_: __BatchRegion0 = __BatchRegion0::Idle;
-        let mut clears_idle_fill_heat_: ::grafcet::__private::bool = false;
-        let mut clears_fill_heat_stir_: ::grafcet::__private::bool = false;
-        let mut clears_stir_drain_: ::grafcet::__private::bool = false;
-        let mut clears_drain_idle_: ::grafcet::__private::bool = false;
-        let mut entered_idle_: ::grafcet::__private::bool = false;
-        let mut entered_fill_: ::grafcet::__private::bool = false;
-        let mut entered_heat_: ::grafcet::__private::bool = false;
-        let mut left_stir_: ::grafcet::__private::bool = false;
-        let mut entered_stir_: ::grafcet::__private::bool = false;
-        let mut entered_drain_: ::grafcet::__private::bool = false;
-        let mut was_first_: ::grafcet::__private::bool = false;
+        let mut on_drain_10__: ::grafcet::__private::bool = false;
+        let mut any_69__: ::grafcet::__private::bool = false;
         match self.region_0 {
             __BatchRegion0::INIT => {
-                elapsed_ = ::grafcet::__private::Ticks::ZERO;
                 self.time_heat = ::grafcet::__private::Ticks::ZERO;
                 self.region_0 = __BatchRegion0::Idle;
-                was_first_ = true;
-                self.since_idle = self.reading;
-                entered_idle_ = true;
-            }
-            __BatchRegion0::Idle => {
-                if !self.edge0_before && inputs_.start {
-                    clears_idle_fill_heat_ = true;
-                    entered_fill_ = true;
-                    entered_heat_ = true;
-                    self.region_0 = __BatchRegion0::Fill;
-                    self.region_1 = __BatchRegion1::Heat;
-                }
-            }
-            __BatchRegion0::Stir => {
-                was_state_idle_ = __BatchRegion0::Stir;
-                if ({
-                    let since_3_ = self.reading.since(self.since_idle);
-                    let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
-                    since_3_ >= ticks_2000_
-                }) && self.delay0_out
-                {
-                    clears_stir_drain_ = true;
-                    left_stir_ = true;
-                    entered_drain_ = true;
-                    self.region_0 = __BatchRegion0::Drain;
-                }
-            }
-            __BatchRegion0::Drain => {
-                was_state_idle_ = __BatchRegion0::Drain;
-                if {
-                    let level = inputs_.level;
-                    level == 0
-                } {
-                    clears_drain_idle_ = true;
-                    entered_idle_ = true;
-                    self.region_0 = __BatchRegion0::Idle;
-                }
+                any_69__ = true;
             }
             _ => {
-                was_state_idle_ = __BatchRegion0::Fill;
-                match self.region_1 {
-                    __BatchRegion1::Heat => {
-                        if inputs_.full && self.time_heat >= self.params.soak {
-                            clears_fill_heat_stir_ = true;
-                            entered_stir_ = true;
-                            self.region_1 = __BatchRegion1::NONE;
-                            self.region_0 = __BatchRegion0::Stir;
+                match self.region_0 {
+                    __BatchRegion0::Idle => {
+                        if !self.edge0_before && inputs_.start {
+                            self.region_0 = __BatchRegion0::Fill;
+                            self.region_1 = __BatchRegion1::Heat;
+                            self.time_heat = ::grafcet::__private::Ticks::ZERO;
+                            self.count = {
+                                let count = self.count;
+                                count + 1
+                            };
+                            any_69__ = true;
                         }
                     }
-                    _ => {}
+                    __BatchRegion0::Stir => {
+                        if ({
+                            let since_3_ = self.reading.since(self.since_idle);
+                            let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
+                            since_3_ >= ticks_2000_
+                        }) && self.delay0_out
+                        {
+                            self.region_0 = __BatchRegion0::Drain;
+                            on_drain_10__ = true;
+                            self.sd_ff_pump = false;
+                            {
+                                #[allow(unused_mut, unused_variables)]
+                                let mut count = self.count;
+                                #[allow(unused_braces)]
+                                {
+                                    if count > 3 {
+                                        count = 0;
+                                    }
+                                }
+                                self.count = count;
+                            }
+                            any_69__ = true;
+                        } else {
+                            if ::grafcet::__private::has_reached!(
+                                self.reading.since(self.since_idle),
+                                ::grafcet::__private::Ticks::new(2000u32)
+                            ) {
+                                self.since_idle = self
+                                    .reading
+                                    .since(::grafcet::__private::Ticks::new(2000u32));
+                            }
+                        }
+                    }
+                    __BatchRegion0::Drain => {
+                        if {
+                            let level = inputs_.level;
+                            level == 0
+                        } {
+                            self.region_0 = __BatchRegion0::Idle;
+                            any_69__ = true;
+                        } else {
+                            on_drain_10__ = true;
+                        }
+                    }
+                    _ => {
+                        match self.region_1 {
+                            __BatchRegion1::Heat => {
+                                if inputs_.full && self.time_heat >= self.params.soak {
+                                    self.region_1 = __BatchRegion1::NONE;
+                                    self.region_0 = __BatchRegion0::Stir;
+                                    self.since_idle = self.reading;
+                                    self.sd_ff_pump = true;
+                                    any_69__ = true;
+                                }
+                            }
+                            _ => {}
+                        }
+                    }
                 }
+                self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
+                    self.sd_tmr_pump_held + elapsed_
+                } else {
+                    ::grafcet::__private::Ticks::ZERO
+                };
             }
         }
+        self.edge0_before = inputs_.start;
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
-        if entered_idle_ || entered_fill_ || entered_stir_ || entered_drain_ {
-            self.since_idle = self.reading;
-        }
-        if entered_heat_ {
-            self.time_heat = ::grafcet::__private::Ticks::ZERO;
-        }
-        let was_count_: ::grafcet::__private::core::primitive::u16 = self.count;
-        if left_stir_ {
-            {
-                #[allow(unused_mut, unused_variables)]
-                let mut count = self.count;
-                #[allow(unused_braces)]
-                {
-                    if count > 3 {
-                        count = 0;
-                    }
-                }
-                self.count = count;
-            }
-        }
-        if entered_fill_ {
-            self.count = {
-                let count = self.count;
-                count + 1
-            };
-        }
-        self.edge0_before = inputs_.start;
+        self.sd_tmr_pump_in = self.sd_ff_pump;
         let mut q_heat_: ::grafcet::__private::bool = false;
+        let mut on_heat_3__: ::grafcet::__private::bool = false;
+        let mut on_heat_5__: ::grafcet::__private::bool = false;
         let mut on_stir_7__: ::grafcet::__private::bool = false;
-        let mut on_drain_10__: ::grafcet::__private::bool = false;
         let mut on_drain_11__: ::grafcet::__private::bool = false;
         match self.region_0 {
             __BatchRegion0::Idle => {
@@ -586,48 +580,28 @@ impl Batch {
             }
             __BatchRegion0::Fill => {
                 outputs_.valve = true;
+                match self.region_1 {
+                    __BatchRegion1::Heat => {
+                        on_heat_3__ = true;
+                        on_heat_5__ = true;
+                        outputs_.lamp = outputs_.lamp
+                            || self.time_heat
+                                < ::grafcet::__private::Ticks::new(3000u32);
+                        q_heat_ = true;
+                        outputs_.speed = 10;
+                    }
+                    _ => {}
+                }
             }
             __BatchRegion0::Stir => {
                 on_stir_7__ = true;
                 q_heat_ = true;
-                self.sd_ff_pump = true;
-                if was_state_idle_ == __BatchRegion0::Stir
-                    && ::grafcet::__private::has_reached!(
-                        self.reading.since(self.since_idle),
-                        ::grafcet::__private::Ticks::new(2000u32)
-                    )
-                {
-                    self.since_idle = self
-                        .reading
-                        .since(::grafcet::__private::Ticks::new(2000u32));
-                }
             }
             __BatchRegion0::Drain => {
-                on_drain_10__ = true;
                 on_drain_11__ = {
                     let level = inputs_.level;
                     level > 3
                 };
-                self.sd_ff_pump = false;
-            }
-            _ => {}
-        }
-        self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
-            self.sd_tmr_pump_held + elapsed_
-        } else {
-            ::grafcet::__private::Ticks::ZERO
-        };
-        self.sd_tmr_pump_in = self.sd_ff_pump;
-        let mut on_heat_3__: ::grafcet::__private::bool = false;
-        let mut on_heat_5__: ::grafcet::__private::bool = false;
-        match self.region_1 {
-            __BatchRegion1::Heat => {
-                on_heat_3__ = true;
-                on_heat_5__ = true;
-                outputs_.lamp = outputs_.lamp
-                    || self.time_heat < ::grafcet::__private::Ticks::new(3000u32);
-                q_heat_ = true;
-                outputs_.speed = 10;
             }
             _ => {}
         }
@@ -725,9 +699,8 @@ impl Batch {
             }
         }
         self.was_q_heat = q_heat_;
-        self.settled = !(was_first_ || clears_idle_fill_heat_ || clears_fill_heat_stir_
-            || clears_stir_drain_ || clears_drain_idle_ || self.count != was_count_
-            || opaque_ran_);
+        any_69__ = any_69__ || opaque_ran_;
+        self.settled = !any_69__;
         outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a

@@ -1,6 +1,6 @@
 //! Questions about the tree of an expression.
 
-use super::{Read, StepId, Tree};
+use super::{Binary, Read, StepId, Tree, Unary};
 use crate::list::List;
 
 impl Tree {
@@ -22,6 +22,21 @@ impl Tree {
             Tree::Opaque { call, .. } => call.is_some(),
             Tree::Unary(_, inner) => inner.may_differ(),
             Tree::Binary(_, a, b) => a.may_differ() || b.may_differ(),
+            _ => false,
+        }
+    }
+
+    /// Whether its evaluation may panic, as that of arithmetic may; comparisons do not.
+    #[must_use]
+    pub(crate) fn may_panic(&self) -> bool {
+        match self {
+            Tree::Opaque { .. } | Tree::Unary(Unary::Neg, _) => true,
+            Tree::Unary(Unary::Not, inner) => inner.may_panic(),
+            Tree::Binary(
+                Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem | Binary::Shl | Binary::Shr,
+                ..,
+            ) => true,
+            Tree::Binary(_, a, b) => a.may_panic() || b.may_panic(),
             _ => false,
         }
     }

@@ -36,268 +36,288 @@ impl Batch {
             heat: false,
             count: 0,
         };
-        let mut elapsed_: Ticks = now_.since(self.reading);
+        let elapsed_: Ticks = now_.since(self.reading);
         self.reading = now_;
         fence_beyond_armv6m();
-        let mut was_state_idle_: __BatchRegion0 = __BatchRegion0::Idle;
-        let mut was_state_heat_: __BatchRegion1 = __BatchRegion1::NONE;
-        let mut clears_idle_fill_heat_: bool = false;
-        let mut clears_fill_heat_stir_: bool = false;
-        let mut clears_stir_drain_: bool = false;
-        let mut clears_drain_idle_: bool = false;
-        let mut left_idle_: bool = false;
-        let mut entered_idle_: bool = false;
-        let mut entered_fill_: bool = false;
-        let mut entered_heat_: bool = false;
-        let mut entered_stir_: bool = false;
-        let mut entered_drain_: bool = false;
-        let mut was_first_: bool = false;
-        match self.region_0 {
-            __BatchRegion0::INIT => {
-                elapsed_ = Ticks::ZERO;
-                self.region_0 = __BatchRegion0::Idle;
-                was_first_ = true;
-                self.since_idle = self.reading;
-                self.since_heat = self.reading;
-                entered_idle_ = true;
-            }
-            __BatchRegion0::Idle => {
-                if inputs_.start {
-                    clears_idle_fill_heat_ = true;
-                    left_idle_ = true;
-                    entered_fill_ = true;
-                    entered_heat_ = true;
-                    self.region_0 = __BatchRegion0::Fill;
-                    self.region_1 = __BatchRegion1::Heat;
-                }
-            }
-            __BatchRegion0::Stir => {
-                was_state_idle_ = __BatchRegion0::Stir;
-                if has_reached!(
-                    self.reading.since(self.since_idle),
-                    Ticks::new(2000u32)
-                ) {
-                    clears_stir_drain_ = true;
-                    entered_drain_ = true;
-                    self.region_0 = __BatchRegion0::Drain;
-                }
-            }
-            __BatchRegion0::Drain => {
-                was_state_idle_ = __BatchRegion0::Drain;
-                if !inputs_.full {
-                    clears_drain_idle_ = true;
-                    entered_idle_ = true;
-                    self.region_0 = __BatchRegion0::Idle;
-                }
-            }
-            _ => {
-                was_state_idle_ = __BatchRegion0::Fill;
-                match self.region_1 {
-                    __BatchRegion1::Heat => {
-                        was_state_heat_ = __BatchRegion1::Heat;
-                        if inputs_.full
-                            && has_reached!(
-                                self.reading.since(self.since_heat),
-                                Ticks::new(5000u32)
-                            )
-                        {
-                            clears_fill_heat_stir_ = true;
-                            entered_stir_ = true;
-                            self.region_1 = __BatchRegion1::NONE;
-                            self.region_0 = __BatchRegion0::Stir;
-                        }
-                    }
-                    _ => {}
-                }
-            }
-        }
-        core::sync::atomic::compiler_fence(
-            core::sync::atomic::Ordering::SeqCst,
-        );
-        if entered_idle_ || entered_fill_ || entered_stir_ || entered_drain_ {
-            self.since_idle = self.reading;
-        }
-        if entered_heat_ {
-            self.since_heat = self.reading;
-        }
         let last_count_: core::primitive::u16 = self.count;
-        if left_idle_ {
-            self.count = 0;
-        }
-        let mut any_59__: bool = was_first_
-            || clears_idle_fill_heat_ || clears_fill_heat_stir_ || clears_stir_drain_
-            || clears_drain_idle_;
-        let mut on_heat_5__: bool = false;
-        match self.region_1 {
-            __BatchRegion1::Heat => {
-                on_heat_5__ = true;
-                outputs_.heat = self.reading.since(self.since_heat)
-                    < Ticks::new(3000u32);
-                if was_state_heat_ == __BatchRegion1::Heat
-                    && has_reached!(
-                        self.reading.since(self.since_heat),
-                        Ticks::new(5000u32)
-                    )
-                {
-                    self.since_heat = self
-                        .reading
-                        .since(Ticks::new(5000u32));
-                }
-            }
-            _ => {}
-        }
-        core::sync::atomic::compiler_fence(
-            core::sync::atomic::Ordering::SeqCst,
-        );
-        let mut q_stir_7__: bool = false;
         let mut by_leaving_stir_7__: bool = false;
-        let mut on_fill_1__: bool = false;
-        let mut on_fill_3__: bool = false;
         let mut on_stir_7__: bool = false;
         let mut on_drain_8__: bool = false;
-        let mut on_drain_9__: bool = false;
         let mut own_count_: core::primitive::u16 = 0;
         let mut written_count_: bool = false;
+        let mut any_59__: bool = false;
         match self.region_0 {
-            __BatchRegion0::Idle => {
-                by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
-                self.held_stir_7_ = false;
-                if by_leaving_stir_7__ {
-                    own_count_ = last_count_;
-                    {
-                        #[allow(unused_mut, unused_variables)]
-                        let mut count = own_count_;
-                        let mut __written_count__ = false;
-                        #[allow(unused_braces)]
-                        {
-                            if count > 3 {
+            __BatchRegion0::INIT => {
+                self.region_0 = __BatchRegion0::Idle;
+                self.since_heat = self.reading;
+                self.since_idle = self.reading;
+                any_59__ = true;
+            }
+            _ => {
+                match self.region_0 {
+                    __BatchRegion0::Idle => {
+                        if inputs_.start {
+                            self.region_0 = __BatchRegion0::Fill;
+                            self.region_1 = __BatchRegion1::Heat;
+                            self.since_idle = self.reading;
+                            self.since_heat = self.reading;
+                            self.s_ff_lamp = false;
+                            outputs_.heat = true;
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            self.count = {
+                                let count = last_count_;
+                                count + 1
+                            };
+                            any_59__ = true;
+                        } else {
+                            outputs_.lamp = self.s_ff_lamp;
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            if by_leaving_stir_7__ {
+                                own_count_ = last_count_;
                                 {
-                                    count = 0;
-                                    __written_count__ = true;
-                                };
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
                             }
                         }
-                        if __written_count__ {
-                            own_count_ = count;
-                            written_count_ = true;
+                    }
+                    __BatchRegion0::Stir => {
+                        if has_reached!(
+                            self.reading.since(self.since_idle),
+                            Ticks::new(2000u32)
+                        ) {
+                            self.region_0 = __BatchRegion0::Drain;
+                            self.since_idle = self.reading;
+                            on_drain_8__ = true;
+                            self.sd_ff_pump = false;
+                            outputs_.lamp = self.s_ff_lamp;
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            if by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            any_59__ = true;
+                        } else {
+                            on_stir_7__ = true;
+                            self.sd_ff_pump = true;
+                            outputs_.lamp = self.s_ff_lamp;
                         }
                     }
-                    if written_count_ {
-                        self.count = own_count_;
-                    }
-                }
-                any_59__ = any_59__ || self.was_q_stir_7_;
-            }
-            __BatchRegion0::Fill => {
-                on_fill_1__ = true;
-                on_fill_3__ = true;
-                by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
-                self.held_stir_7_ = false;
-                if by_leaving_stir_7__ {
-                    own_count_ = last_count_;
-                    {
-                        #[allow(unused_mut, unused_variables)]
-                        let mut count = own_count_;
-                        let mut __written_count__ = false;
-                        #[allow(unused_braces)]
-                        {
-                            if count > 3 {
+                    __BatchRegion0::Drain => {
+                        if !inputs_.full {
+                            self.region_0 = __BatchRegion0::Idle;
+                            self.since_idle = self.reading;
+                            outputs_.lamp = self.s_ff_lamp;
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            if by_leaving_stir_7__ {
+                                own_count_ = last_count_;
                                 {
-                                    count = 0;
-                                    __written_count__ = true;
-                                };
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            any_59__ = true;
+                        } else {
+                            on_drain_8__ = true;
+                            self.sd_ff_pump = false;
+                            outputs_.lamp = self.s_ff_lamp
+                                || self.reading.since(self.since_idle)
+                                    >= Ticks::new(1000u32);
+                            by_leaving_stir_7__ = self.was_q_stir_7_
+                                && self.held_stir_7_;
+                            if by_leaving_stir_7__ {
+                                own_count_ = last_count_;
+                                {
+                                    #[allow(unused_mut, unused_variables)]
+                                    let mut count = own_count_;
+                                    let mut __written_count__ = false;
+                                    #[allow(unused_braces)]
+                                    {
+                                        if count > 3 {
+                                            {
+                                                count = 0;
+                                                __written_count__ = true;
+                                            };
+                                        }
+                                    }
+                                    if __written_count__ {
+                                        own_count_ = count;
+                                        written_count_ = true;
+                                    }
+                                }
+                                if written_count_ {
+                                    self.count = own_count_;
+                                }
+                            }
+                            if has_reached!(
+                                self.reading.since(self.since_idle),
+                                Ticks::new(1000u32)
+                            ) {
+                                self.since_idle = self
+                                    .reading
+                                    .since(Ticks::new(1000u32));
                             }
                         }
-                        if __written_count__ {
-                            own_count_ = count;
-                            written_count_ = true;
-                        }
                     }
-                    if written_count_ {
-                        self.count = own_count_;
-                    }
-                }
-                any_59__ = any_59__ || self.was_q_stir_7_;
-            }
-            __BatchRegion0::Stir => {
-                on_stir_7__ = true;
-                self.sd_ff_pump = true;
-                q_stir_7__ = true;
-                self.held_stir_7_ = true;
-                any_59__ = any_59__ || !self.was_q_stir_7_;
-            }
-            __BatchRegion0::Drain => {
-                on_drain_8__ = true;
-                on_drain_9__ = true;
-                self.sd_ff_pump = false;
-                by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
-                self.held_stir_7_ = false;
-                if by_leaving_stir_7__ {
-                    own_count_ = last_count_;
-                    {
-                        #[allow(unused_mut, unused_variables)]
-                        let mut count = own_count_;
-                        let mut __written_count__ = false;
-                        #[allow(unused_braces)]
-                        {
-                            if count > 3 {
+                    _ => {
+                        match self.region_1 {
+                            __BatchRegion1::Heat => {
+                                if inputs_.full
+                                    && has_reached!(
+                                        self.reading.since(self.since_heat),
+                                        Ticks::new(5000u32)
+                                    )
                                 {
-                                    count = 0;
-                                    __written_count__ = true;
-                                };
+                                    self.region_1 = __BatchRegion1::NONE;
+                                    self.region_0 = __BatchRegion0::Stir;
+                                    self.since_idle = self.reading;
+                                    on_stir_7__ = true;
+                                    self.sd_ff_pump = true;
+                                    outputs_.lamp = self.s_ff_lamp;
+                                    any_59__ = true;
+                                } else {
+                                    self.s_ff_lamp = false;
+                                    outputs_.heat = self.reading.since(self.since_heat)
+                                        < Ticks::new(3000u32);
+                                    by_leaving_stir_7__ = self.was_q_stir_7_
+                                        && self.held_stir_7_;
+                                    if by_leaving_stir_7__ {
+                                        own_count_ = last_count_;
+                                        {
+                                            #[allow(unused_mut, unused_variables)]
+                                            let mut count = own_count_;
+                                            let mut __written_count__ = false;
+                                            #[allow(unused_braces)]
+                                            {
+                                                if count > 3 {
+                                                    {
+                                                        count = 0;
+                                                        __written_count__ = true;
+                                                    };
+                                                }
+                                            }
+                                            if __written_count__ {
+                                                own_count_ = count;
+                                                written_count_ = true;
+                                            }
+                                        }
+                                        if written_count_ {
+                                            self.count = own_count_;
+                                        }
+                                    }
+                                    if has_reached!(
+                                        self.reading.since(self.since_heat),
+                                        Ticks::new(5000u32)
+                                    ) {
+                                        self.since_heat = self
+                                            .reading
+                                            .since(Ticks::new(5000u32));
+                                    }
+                                }
+                            }
+                            _ => {
+                                self.s_ff_lamp = true;
+                                outputs_.lamp = true;
+                                by_leaving_stir_7__ = self.was_q_stir_7_
+                                    && self.held_stir_7_;
+                                if by_leaving_stir_7__ {
+                                    own_count_ = last_count_;
+                                    {
+                                        #[allow(unused_mut, unused_variables)]
+                                        let mut count = own_count_;
+                                        let mut __written_count__ = false;
+                                        #[allow(unused_braces)]
+                                        {
+                                            if count > 3 {
+                                                {
+                                                    count = 0;
+                                                    __written_count__ = true;
+                                                };
+                                            }
+                                        }
+                                        if __written_count__ {
+                                            own_count_ = count;
+                                            written_count_ = true;
+                                        }
+                                    }
+                                    if written_count_ {
+                                        self.count = own_count_;
+                                    }
+                                }
                             }
                         }
-                        if __written_count__ {
-                            own_count_ = count;
-                            written_count_ = true;
-                        }
-                    }
-                    if written_count_ {
-                        self.count = own_count_;
                     }
                 }
-                any_59__ = any_59__ || self.was_q_stir_7_;
+                self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
+                    self.sd_tmr_pump_held + elapsed_
+                } else {
+                    Ticks::ZERO
+                };
             }
-            _ => {}
         }
-        self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
-            self.sd_tmr_pump_held + elapsed_
-        } else {
-            Ticks::ZERO
-        };
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
         self.sd_tmr_pump_in = self.sd_ff_pump;
-        if entered_fill_ {
-            self.count = {
-                let count = last_count_;
-                count + 1
-            };
-        }
-        self.s_ff_lamp = !on_heat_5__ && (on_fill_3__ || self.s_ff_lamp);
-        outputs_.lamp = !on_heat_5__
-            && (self.s_ff_lamp
-                || on_drain_9__
-                    && self.reading.since(self.since_idle)
-                        >= Ticks::new(1000u32));
-        match self.region_0 {
-            __BatchRegion0::Drain => {
-                if was_state_idle_ == __BatchRegion0::Drain
-                    && has_reached!(
-                        self.reading.since(self.since_idle),
-                        Ticks::new(1000u32)
-                    )
-                {
-                    self.since_idle = self
-                        .reading
-                        .since(Ticks::new(1000u32));
-                }
-            }
-            _ => {}
-        }
-        outputs_.pump = !on_drain_8__
-            && (on_fill_1__
-                || self.sd_ff_pump
-                    && self.sd_tmr_pump_held
-                        >= Ticks::new(2000u32));
+        self.held_stir_7_ = on_stir_7__;
         if on_stir_7__ {
             own_count_ = last_count_;
             written_count_ = false;
@@ -322,35 +342,49 @@ impl Batch {
             if written_count_ {
                 self.count = own_count_;
             }
-        }
-        if self.was_q_stir_7_ && !q_stir_7__ && !by_leaving_stir_7__ {
-            own_count_ = last_count_;
-            written_count_ = false;
-            {
-                #[allow(unused_mut, unused_variables)]
-                let mut count = own_count_;
-                let mut __written_count__ = false;
-                #[allow(unused_braces)]
+        } else {
+            if self.was_q_stir_7_ && !by_leaving_stir_7__ {
+                own_count_ = last_count_;
+                written_count_ = false;
                 {
-                    if count > 3 {
-                        {
-                            count = 0;
-                            __written_count__ = true;
-                        };
+                    #[allow(unused_mut, unused_variables)]
+                    let mut count = own_count_;
+                    let mut __written_count__ = false;
+                    #[allow(unused_braces)]
+                    {
+                        if count > 3 {
+                            {
+                                count = 0;
+                                __written_count__ = true;
+                            };
+                        }
+                    }
+                    if __written_count__ {
+                        own_count_ = count;
+                        written_count_ = true;
                     }
                 }
-                if __written_count__ {
-                    own_count_ = count;
-                    written_count_ = true;
+                if written_count_ {
+                    self.count = own_count_;
                 }
             }
-            if written_count_ {
-                self.count = own_count_;
-            }
         }
-        self.was_q_stir_7_ = q_stir_7__;
+        let turned_: bool = self.was_q_stir_7_ != on_stir_7__;
+        self.was_q_stir_7_ = on_stir_7__;
         any_59__ = any_59__ || self.count != last_count_;
+        any_59__ = any_59__ || turned_;
         self.settled = !any_59__;
+        match self.region_0 {
+            __BatchRegion0::Idle | __BatchRegion0::Stir | __BatchRegion0::Drain => {
+                outputs_.pump = !on_drain_8__ && self.sd_ff_pump
+                    && self.sd_tmr_pump_held
+                        >= Ticks::new(2000u32);
+            }
+            __BatchRegion0::Fill => {
+                outputs_.pump = !on_drain_8__;
+            }
+            _ => {}
+        }
         outputs_.count = self.count;
         outputs_
     }

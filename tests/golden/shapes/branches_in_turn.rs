@@ -61,83 +61,31 @@ impl BranchesInTurn {
                 self.since_warm = self.reading;
             }
             _ => {
-                let last_batches_: core::primitive::u8 = self
-                    .batches;
+                let last_batches_: core::primitive::u8;
                 let mut any_119__: bool = false;
-                match self.region_0 {
-                    __BranchesInTurnRegion0::Idle => {
-                        if inputs_.start {
-                            self.region_0 = __BranchesInTurnRegion0::Fill;
-                            self.region_1 = __BranchesInTurnRegion1::Warm;
-                            self.since_warm = self.reading;
-                            outputs_.valve = true;
-                            outputs_.heater = true;
-                            self.passed_warm = false;
-                            any_119__ = true;
-                        }
-                    }
-                    __BranchesInTurnRegion0::Mix => {
-                        if inputs_.stop {
-                            self.region_0 = __BranchesInTurnRegion0::Idle;
-                            any_119__ = true;
-                        } else {
+                if inputs_.stop {
+                    last_batches_ = self.batches;
+                    match self.region_0 {
+                        __BranchesInTurnRegion0::Idle => {
                             if inputs_.start {
-                                self.region_0 = __BranchesInTurnRegion0::Rest;
-                                self.region_1 = __BranchesInTurnRegion1::Drain;
-                                self.since_idle = self.reading;
-                                outputs_.pump = true;
-                                any_119__ = true;
-                            }
-                        }
-                    }
-                    __BranchesInTurnRegion0::Rinse => {
-                        if inputs_.stop {
-                            self.region_0 = __BranchesInTurnRegion0::Idle;
-                            any_119__ = true;
-                        } else {
-                            if inputs_.full {
-                                self.region_0 = __BranchesInTurnRegion0::Dry;
-                                self.region_1 = __BranchesInTurnRegion1::Cool;
+                                self.region_0 = __BranchesInTurnRegion0::Fill;
+                                self.region_1 = __BranchesInTurnRegion1::Warm;
                                 self.since_warm = self.reading;
-                                self.s_ff_lamp = true;
-                                outputs_.heater = true;
-                                any_119__ = true;
-                            } else {
                                 outputs_.valve = true;
-                            }
-                        }
-                    }
-                    __BranchesInTurnRegion0::Open => {
-                        if inputs_.stop {
-                            self.region_0 = __BranchesInTurnRegion0::Idle;
-                            self.s_ff_lamp = false;
-                            any_119__ = true;
-                        } else {
-                            if inputs_.start {
-                                self.region_0 = __BranchesInTurnRegion0::Shake;
-                                self.region_1 = __BranchesInTurnRegion1::Blow;
-                                outputs_.pump = true;
-                                any_119__ = true;
-                            } else {
-                                outputs_.lamp = true;
-                            }
-                        }
-                    }
-                    __BranchesInTurnRegion0::Close => {
-                        if inputs_.stop {
-                            self.region_0 = __BranchesInTurnRegion0::Idle;
-                            self.s_ff_lamp = false;
-                            any_119__ = true;
-                        } else {
-                            if !inputs_.start {
-                                self.region_0 = __BranchesInTurnRegion0::Idle;
-                                self.s_ff_lamp = false;
+                                outputs_.heater = true;
+                                self.passed_warm = false;
                                 any_119__ = true;
                             }
                         }
-                    }
-                    _ => {
-                        if inputs_.stop {
+                        __BranchesInTurnRegion0::Mix
+                        | __BranchesInTurnRegion0::Rinse
+                        | __BranchesInTurnRegion0::Open
+                        | __BranchesInTurnRegion0::Close => {
+                            self.region_0 = __BranchesInTurnRegion0::Idle;
+                            self.s_ff_lamp = false;
+                            any_119__ = true;
+                        }
+                        _ => {
                             self.s_ff_lamp = false;
                             self.region_0 = __BranchesInTurnRegion0::Idle;
                             any_119__ = true;
@@ -150,7 +98,6 @@ impl BranchesInTurn {
                                 | __BranchesInTurnRegion1::Blow
                                 | __BranchesInTurnRegion1::Blown => {
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
-                                    any_119__ = true;
                                 }
                                 __BranchesInTurnRegion1::Drain => {
                                     self.region_1 = __BranchesInTurnRegion1::NONE;
@@ -158,11 +105,64 @@ impl BranchesInTurn {
                                         let batches = self.batches;
                                         batches % 60 + 2
                                     };
-                                    any_119__ = true;
                                 }
                                 _ => {}
                             }
-                        } else {
+                        }
+                    }
+                } else {
+                    last_batches_ = self.batches;
+                    match self.region_0 {
+                        __BranchesInTurnRegion0::Idle => {
+                            if inputs_.start {
+                                self.region_0 = __BranchesInTurnRegion0::Fill;
+                                self.region_1 = __BranchesInTurnRegion1::Warm;
+                                self.since_warm = self.reading;
+                                outputs_.valve = true;
+                                outputs_.heater = true;
+                                self.passed_warm = false;
+                                any_119__ = true;
+                            }
+                        }
+                        __BranchesInTurnRegion0::Mix => {
+                            if inputs_.start {
+                                self.region_0 = __BranchesInTurnRegion0::Rest;
+                                self.region_1 = __BranchesInTurnRegion1::Drain;
+                                self.since_idle = self.reading;
+                                outputs_.pump = true;
+                                any_119__ = true;
+                            }
+                        }
+                        __BranchesInTurnRegion0::Rinse => {
+                            if inputs_.full {
+                                self.region_0 = __BranchesInTurnRegion0::Dry;
+                                self.region_1 = __BranchesInTurnRegion1::Cool;
+                                self.since_warm = self.reading;
+                                self.s_ff_lamp = true;
+                                outputs_.heater = true;
+                                any_119__ = true;
+                            } else {
+                                outputs_.valve = true;
+                            }
+                        }
+                        __BranchesInTurnRegion0::Open => {
+                            if inputs_.start {
+                                self.region_0 = __BranchesInTurnRegion0::Shake;
+                                self.region_1 = __BranchesInTurnRegion1::Blow;
+                                outputs_.pump = true;
+                                any_119__ = true;
+                            } else {
+                                outputs_.lamp = true;
+                            }
+                        }
+                        __BranchesInTurnRegion0::Close => {
+                            if !inputs_.start {
+                                self.region_0 = __BranchesInTurnRegion0::Idle;
+                                self.s_ff_lamp = false;
+                                any_119__ = true;
+                            }
+                        }
+                        _ => {
                             let was_state_warm_: __BranchesInTurnRegion1 = self.region_1;
                             let mut left_drain_: bool = false;
                             let mut entered_mix_: bool = false;

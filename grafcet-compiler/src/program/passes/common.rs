@@ -20,7 +20,6 @@
 //! Needs: they do the same then. Other passes look for the match, so it comes after them.
 
 use super::super::build::all;
-use super::super::costs::questions;
 use super::super::{Arm, Comparison, Expr, PlaceId, Program, Statement, Value};
 use super::edits::blocks_mut;
 use super::many::{groups, sum_of, sum_of_block};
@@ -143,12 +142,24 @@ fn best(arms: &[Arm<'_>], least: usize) -> Option<Vec<usize>> {
         }
         let members = &mut by_group[group];
         members.push(*at);
-        let gain = (members.len() - 1) * (questions(condition) + size(then));
+        let gain = (members.len() - 1) * (loads(condition) + size(then));
         if members.len() >= ARMS && gain > least && most.is_none_or(|(best, _)| gain > best) {
             most = Some((gain, group));
         }
     }
     most.map(|(_, group)| by_group.swap_remove(group))
+}
+
+/// How many values a condition needs: `temp >= limit` two.
+fn loads(condition: &Expr<'_>) -> usize {
+    match condition {
+        Expr::Not(inner) => loads(inner),
+        Expr::All(parts) | Expr::Any(parts) => parts.iter().map(loads).sum(),
+        Expr::Compare(_, a, b) => (loads(a) + loads(b)).max(1),
+        Expr::User(user) => user.binds.iter().map(|(_, value)| loads(value)).sum::<usize>().max(1),
+        Expr::Value(_) => 0,
+        _ => 1,
+    }
 }
 
 /// What an arm asks before all else, and what it does then.

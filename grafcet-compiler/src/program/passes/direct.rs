@@ -22,9 +22,6 @@ use super::fold::initial;
 use super::uses::{Effects, each_asked, each_written, has, is_written_in, writes_to};
 use crate::model::{Tree, Ty};
 
-/// So many find registers of their own.
-const FEW: usize = 4;
-
 pub(super) fn pass(program: &mut Program<'_>) {
     // By hand the ends of a cycle are done after another evolution, so they are written alike.
     if program.forced.is_some() {
@@ -34,9 +31,6 @@ pub(super) fn pass(program: &mut Program<'_>) {
     for at in 0..program.cycle.len() {
         pairs.extend(put(program, &program.cycle, at));
     }
-    let is_truth = |output: &PlaceId| matches!(program.places[output.0].ty, Type::Bool);
-    let truths = pairs.iter().filter(|(output, _)| is_truth(output)).count();
-    pairs.retain(|(output, _)| !is_truth(output) || truths >= FEW);
     if pairs.is_empty() {
         return;
     }

@@ -19,6 +19,8 @@
 //! - Where each way ends in a state of its own, LLVM leads it to what that state does: each comparison has two jumps more, and what steps have in common stands there for each of them. With a
 //!   fence between a robot's cell of 40 steps takes 1118 bytes on a Cortex-M3 and 33.4 instructions, 1324 and 35.3 without; most others take some per cent less, and two or three
 //!   instructions more.
+//! - After the condition of an emergency stop the inputs that it has looked at would stay in registers, of which ARMv6-M has too few: a kettle with a hopper takes 1020 bytes
+//!   with a fence there, and 1148 without.
 //! - Under `optimize size;` the fences of one region are there on all processors for few steps, too, and where a table tells which step is next, and one in front of the table of a
 //!   sequence and after it: a robot with watchdogs takes 424 bytes instead of 522 on a Cortex-M3, and 27.2 instructions instead of 23.4.
 //! - In a cycle of several regions that keeps the reading of the clock the argument would be in the last of four registers that LLVM uses before it saves one, and that short
@@ -30,7 +32,7 @@ use std::cell::Cell;
 use super::super::{Expr, Fence, PlaceId, Program, Role, Statement, Type};
 use super::edits::{rename, replaced, rewrite};
 use super::tables::goes_by_table;
-use super::uses::is_written_in;
+use super::uses::{each_read, is_written_in};
 
 /// With fewer steps the code is smaller where the inputs are found once for all evolutions.
 const FEW: usize = 3;
@@ -214,6 +216,19 @@ fn asks_again(program: &Program<'_>, around: &[PlaceId], statement: &Statement<'
 }
 
 /// In a search, within matches on some places.
+/// Inputs alone decide that a state is entered, as where an `any` leaves parallel branches.
+fn is_stop(program: &Program<'_>, condition: &Expr<'_>, then: &[Statement<'_>]) -> bool {
+    let mut asks = false;
+    each_read(condition, &mut |_| asks = true);
+    let moves = |one: &Statement<'_>| matches!(one, Statement::Set(place, _) if matches!(program.places[place.0].role, Role::State(_)));
+    !asks && then.iter().any(moves)
+}
+
+fn dispatches(program: &Program<'_>, statements: &[Statement<'_>]) -> bool {
+    let by_state = |one: &Statement<'_>| matches!(one, Statement::Match(place, ..) if matches!(program.places[place.0].role, Role::State(_)));
+    statements.iter().any(by_state)
+}
+
 fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, within: Option<&[PlaceId]>) {
     let mut all: Vec<Statement<'m>> = Vec::with_capacity(statements.len());
     let mut neighbours = 0;
@@ -221,9 +236,12 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, within:
         match &mut statement {
             Statement::Part(_, body) => block(program, body, within),
             Statement::Loop { body, .. } => block(program, body, within.or(Some(&[]))),
-            Statement::If(_, then, otherwise) => {
+            Statement::If(condition, then, otherwise) => {
                 block(program, then, within);
                 block(program, otherwise, within);
+                if within.is_none() && is_stop(program, condition, then) && dispatches(program, otherwise) {
+                    otherwise.insert(0, Statement::Fence(Fence::Armv6m));
+                }
             }
             Statement::Match(place, arms, otherwise) => {
                 let within = within.map(|around| [around, &[*place]].concat());

@@ -66,7 +66,11 @@ impl Known<'_, '_> {
             Expr::Any(parts) => self.list(parts, false),
             Expr::Compare(comparison, a, b) => {
                 let (a, b) = two(a, b);
-                compared(*comparison, a, b)
+                match comparison {
+                    Comparison::Differs if self.cannot_meet(&a, &b) => yes(),
+                    Comparison::Equal if self.cannot_meet(&a, &b) => no(),
+                    comparison => compared(*comparison, a, b),
+                }
             }
             Expr::Choose(parts) => self.chosen(parts),
             Expr::Add(a, b) => match two(a, b) {
@@ -112,6 +116,17 @@ impl Known<'_, '_> {
         let mut left = steps.to_vec();
         left.retain(|step| list.contains(&Some(*step)));
         if left.is_empty() { no() } else { Expr::Is(place, left) }
+    }
+
+    /// Whether a state is none of those that another one can be.
+    fn cannot_meet(&self, a: &Expr<'_>, b: &Expr<'_>) -> bool {
+        let possible = |expr: &Expr<'_>| match expr {
+            Expr::Value(Value::Step(step)) => Some(vec![*step]),
+            Expr::Place(place) => (self.among)(*place).cloned(),
+            _ => None,
+        };
+        let (Some(a), Some(b)) = (possible(a), possible(b)) else { return false };
+        !a.iter().any(|step| b.contains(step))
     }
 
     /// `All` (`and`) or `Any` of some parts. What could answer differently each time is asked in any case.

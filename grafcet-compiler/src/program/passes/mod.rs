@@ -26,6 +26,7 @@
 //! - `anew`: what a field holds in a state is not stored there once more
 //! - `dead`: what nobody looks at
 //! - `once`: nothing is asked of the inputs twice on a way
+//! - `equal`: what comes to the same in several states is done once
 //! - `store`: the next state is stored once
 //! - `tables`: of a long sequence a test for each condition, and a table of the next states
 //! - `next`: steps that wait for the same share an arm, and a table says which step is next
@@ -64,11 +65,13 @@ mod direct;
 mod early;
 mod edits;
 mod engine;
+mod equal;
 mod excluding;
 mod fences;
 mod flat;
 mod fold;
 mod forward;
+mod front;
 mod hoist;
 mod kinds;
 mod limits;
@@ -153,6 +156,7 @@ passes! {
     Anew,
     Dead,
     Once,
+    Equal,
     Store,
     Tables,
     Next,
@@ -180,6 +184,7 @@ impl Pass {
                 | Self::Before
                 | Self::Begun
                 | Self::Anew
+                | Self::Equal
                 | Self::Nested
                 | Self::United
         )
@@ -256,6 +261,7 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
         Pass::Anew => anew::pass(program),
         Pass::Dead => dead::pass(program),
         Pass::Once => once::pass(program),
+        Pass::Equal => equal::pass(program),
         Pass::Store => store::pass(program),
         Pass::Tables => tables::pass(program),
         Pass::Next => next::pass(program),

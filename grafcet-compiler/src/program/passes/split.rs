@@ -23,6 +23,8 @@ use super::dead::read_after;
 use super::engine::{End, Engine, Excluding, Fact, Lost, Tree, beginning};
 use super::flat::{flat, samples_first};
 use super::fold::initial;
+use super::front;
+use super::hoist;
 use super::live::Live;
 use super::many::{groups, sum_of_block};
 use super::moved;
@@ -38,6 +40,9 @@ use crate::sorted::Set;
 
 /// More ways from one state than this are too many.
 const WAYS: usize = 2_000;
+
+/// With more states than this it is not tried out whether it is shorter that something stands outside: that would take the macro too long.
+const TRIED: usize = 100;
 
 pub(super) struct Options {
     /// What fields hold in each state is followed.
@@ -66,7 +71,8 @@ struct Source<'s, 'm> {
     index: &'s Index,
     /// What is false in front of it.
     assumed: &'s [bool],
-    /// What comes after them in any case.
+    /// What comes in front of them, and after them, in any case.
+    front: &'s [Statement<'m>],
     tail: &'s [Statement<'m>],
     /// Fields that nobody follows.
     unknown: &'s [PlaceId],
@@ -76,16 +82,22 @@ pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
     let before = program.places.len();
     let Some((list, index, assumed)) = listed(program) else { return };
     let Some(split) = Split::of(program) else { return };
-    let apart = tail::apart(&program.places, &list, &index, split.points.all.len());
-    let other = apart.and_then(|(ways, tail)| {
-        let mut other = program.clone();
+    let other = outside(program, &split, &list, &index).and_then(|[front, ways, tail]| {
+        let (mut other, mut assumed) = (program.clone(), assumed.clone());
+        for place in &*Effects::of_all(&front).writes {
+            assumed[place.0] = false;
+        }
         let index = indexed(&other, &ways, &assumed)?;
-        let source = Source { list: &ways, index: &index, assumed: &assumed, tail: &tail, unknown: &[] };
+        let source = Source { list: &ways, index: &index, assumed: &assumed, front: &front, tail: &tail, unknown: &[] };
         by_ways(&mut other, &source, options).then_some(other)
     });
+    if let (Some(other), true) = (&other, split.points.all.len() > TRIED) {
+        *program = other.clone();
+        return;
+    }
     let is_stored = |place: &PlaceInfo<'_>| matches!(place.role, Role::FlipFlop(..));
     let lowered = program.places.iter().any(is_stored).then(|| program.clone());
-    let source = Source { list: &list, index: &index, assumed: &assumed, tail: &[], unknown: &[] };
+    let source = Source { list: &list, index: &index, assumed: &assumed, front: &[], tail: &[], unknown: &[] };
     if by_ways(program, &source, options) {
         if let Some(shorter) = lowered.and_then(|lowered| stored(lowered, program, &source, options)) {
             *program = shorter;
@@ -93,9 +105,32 @@ pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
     } else {
         program.places.truncate(before);
     }
-    if let Some(other) = other.filter(|other| 4 * weight(&other.cycle) < 3 * weight(&program.cycle)) {
+    if let Some(other) = other.filter(|other| 4 * hoisted(other) < 3 * hoisted(program)) {
         *program = other;
     }
+}
+
+/// How much is left where what all arms do first is done once.
+fn hoisted(program: &Program<'_>) -> usize {
+    let mut program = program.clone();
+    hoist::pass(&mut program);
+    weight(&program.cycle)
+}
+
+/// What stands in front of the ways, the ways, and what stands after them, if there is anything beside the ways.
+fn outside<'m>(
+    program: &Program<'m>,
+    split: &Split,
+    list: &[Statement<'m>],
+    index: &Index,
+) -> Option<[Vec<Statement<'m>>; 3]> {
+    let is_front = front::front(list, index, &[split.state, split.first]);
+    let is_tail = tail::tail(&program.places, list, index, split.points.all.len());
+    let mut parts = [Vec::new(), Vec::new(), Vec::new()];
+    for (statement, (is_front, is_tail)) in list.iter().zip(is_front.iter().zip(&is_tail)) {
+        parts[if *is_front { 0 } else { 1 + usize::from(*is_tail) }].push(statement.clone());
+    }
+    (parts[1].len() < list.len()).then_some(parts)
 }
 
 /// Stored outputs that not all states tell stay fields: what they hold is copied once in each cycle, and states that know it do not write it anew. Where that makes the cycle much longer, `known`
@@ -142,11 +177,12 @@ fn indexed(program: &Program<'_>, list: &[Statement<'_>], assumed: &[bool]) -> O
 /// The cycle by its ways. Whether that is possible.
 fn by_ways<'m>(program: &mut Program<'m>, source: &Source<'_, 'm>, options: &Options) -> bool {
     let Some(mut split) = Split::of(program) else { return false };
-    let written = Effects::of_all(source.tail).writes;
+    let mut written = Effects::of_all(source.tail).writes;
+    written.extend(Effects::of_all(source.front).writes.iter().copied());
     split.fields.retain(|field| !written.contains(field) && !source.unknown.contains(field));
     match split.trees(program, source, options) {
         Ok(trees) => {
-            split.put_together(program, trees, source.tail, options);
+            split.put_together(program, trees, source, options);
             true
         }
         Err(Lost) => false,
@@ -241,7 +277,7 @@ impl Split {
         &self,
         program: &mut Program<'m>,
         mut trees: Vec<Option<Tree<'m>>>,
-        tail: &[Statement<'m>],
+        source: &Source<'_, 'm>,
         options: &Options,
     ) {
         if let Some(Some(tree)) = trees.first_mut() {
@@ -252,20 +288,21 @@ impl Split {
         if options.told {
             told::pass(program, &self.fields, &mut trees);
         }
-        let [front, after] = if options.moved {
+        let [mut front, after] = if options.moved {
             let (points, fields) = (&*self.points.all, &*self.fields);
             moved::pass(program, &mut moved::Forest { state: self.state, points, fields, trees: &mut trees })
         } else {
             Default::default()
         };
+        front.splice(0..0, source.front.iter().cloned());
         program.cycle = front.clone();
         program.cycle.push(self.evolution(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect()));
         program.cycle.extend(after.iter().cloned());
-        program.cycle.extend(tail.iter().cloned());
+        program.cycle.extend(source.tail.iter().cloned());
         if !options.join {
             return;
         }
-        sweep(program, tail, &mut trees);
+        sweep(program, source.tail, &mut trees);
         alike::pass(program, &self.points, &self.fields, &mut trees);
         let (mut acts, rest) = self.join(&mut trees);
         let mut cycle = front;
@@ -276,7 +313,7 @@ impl Split {
             cycle.push(Statement::Match(self.state, merged(acts), Vec::new()));
         }
         cycle.extend(rest);
-        cycle.extend(tail.iter().cloned());
+        cycle.extend(source.tail.iter().cloned());
         program.cycle = cycle;
     }
 

@@ -16,11 +16,12 @@
 //! So runs stored actions (S, SD, SL with more than a boolean), and calls that many associations hold up: as many statements as there are such associations, which each way of each
 //! state would have. What they leave in fields is not followed from state to state.
 
-use super::super::{PlaceInfo, Role, Statement};
+use super::super::{Expr, PlaceInfo, Role, Statement, Type};
 use super::several::weight;
 use super::sparse::Index;
-use super::uses::{Effects, blocks};
+use super::uses::{Effects, blocks, mentions};
 use crate::list::List;
+use crate::sorted::Set;
 
 /// So many statements at least are worth it,
 const LONG: usize = 16;
@@ -28,13 +29,8 @@ const LONG: usize = 16;
 /// and so many in all states.
 const MANY: usize = 150;
 
-/// What the ways are made of, and what comes after them.
-pub(super) fn apart<'m>(
-    places: &[PlaceInfo<'m>],
-    list: &[Statement<'m>],
-    index: &Index,
-    points: usize,
-) -> Option<(Vec<Statement<'m>>, Vec<Statement<'m>>)> {
+/// By statement: whether it stands after the match.
+pub(super) fn tail(places: &[PlaceInfo<'_>], list: &[Statement<'_>], index: &Index, points: usize) -> Vec<bool> {
     let mut is_tail = vec![false; list.len()];
     let mut length = 0;
     for at in index.always.iter().copied().filter(|at| *at > index.last) {
@@ -44,7 +40,13 @@ pub(super) fn apart<'m>(
         }
     }
     if length < LONG || length * points < MANY {
-        return None;
+        is_tail.fill(false);
+    }
+    for at in index.always.iter().copied().filter(|at| *at > index.last) {
+        is_tail[at] |= runs_on(places, &list[at]);
+    }
+    if !is_tail.contains(&true) {
+        return is_tail;
     }
     let effects = list.iter().map(Effects::of).list();
     let mut passed = Effects::default();
@@ -55,23 +57,24 @@ pub(super) fn apart<'m>(
         }
     }
     // What only they ask for is found there.
-    let mut kept = Effects::default();
+    let (mut kept, mut wanted) = (Effects::default(), Set::new());
     for at in (index.last + 1..list.len()).rev() {
-        if is_tail[at] {
-            continue;
-        }
-        let is_own = effects[at].writes.iter().all(|place| !places[place.0].is_field);
+        let is_own = effects[at].writes.iter().all(|place| !places[place.0].is_field && wanted.contains(place));
         let is_anywhere = matches!(list[at], Statement::Set(..)) && index.always.binary_search(&at).is_ok();
-        is_tail[at] = is_own && is_anywhere && effects[at].may_swap(&kept);
-        if !is_tail[at] {
+        is_tail[at] |= is_own && is_anywhere && effects[at].may_swap(&kept);
+        if is_tail[at] {
+            wanted.extend(effects[at].reads.iter().copied());
+        } else {
             kept.join(&effects[at]);
         }
     }
-    let (mut ways, mut tail) = (Vec::new(), Vec::new());
-    for (statement, is_tail) in list.iter().zip(is_tail) {
-        if is_tail { tail.push(statement.clone()) } else { ways.push(statement.clone()) }
-    }
-    Some((ways, tail))
+    is_tail
+}
+
+/// The time of an action that runs on, whatever step is active.
+fn runs_on(places: &[PlaceInfo<'_>], statement: &Statement<'_>) -> bool {
+    let Statement::Set(place, value @ Expr::Choose(_)) = statement else { return false };
+    places[place.0].is_field && matches!(places[place.0].ty, Type::Ticks) && mentions(value, *place)
 }
 
 /// Whether it runs something of the user's, or sets a variable.

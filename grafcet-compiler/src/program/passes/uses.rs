@@ -42,6 +42,17 @@ pub(super) fn is_plain(expr: &Expr<'_>) -> bool {
     }
 }
 
+/// Whether its evaluation may panic.
+pub(super) fn may_panic(expr: &Expr<'_>) -> bool {
+    match expr {
+        Expr::User(user) => user.tree.may_panic() || user.binds.iter().any(|(_, value)| may_panic(value)),
+        Expr::Not(inner) => may_panic(inner),
+        Expr::All(parts) | Expr::Any(parts) => parts.iter().any(may_panic),
+        Expr::Compare(_, a, b) => may_panic(a) || may_panic(b),
+        other => !is_plain(other),
+    }
+}
+
 /// Whether a statement may end the block it stands in. A loop takes in what leaves it.
 pub(super) fn leaves(statement: &Statement<'_>) -> bool {
     match statement {

@@ -42,6 +42,8 @@ fn each_pass_is_as_recorded() {
     let kettle = kettle("");
     let stored = "sfc Stored { input a, b: bool; output lamp, p: bool; initial step Idle { R lamp; } step A1 { S lamp; } step A2; step B1 { p; } step B2; \
                   Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[a && b]-> B2; (A2, B2) -[!a]-> Idle; }";
+    let stopped = "grafcet Stopped { input a, b, stop: bool; output p, q: bool; initial step Idle; step A1 { p; } step A2; step B { q; } step Off; \
+                   Idle -[a]-> (A1, B); A1 -[b]-> A2; (A2, B) -[a]-> Idle; any -[stop]-> Off -[!stop]-> Idle; }";
     let cases = [
         (Pass::Marks, lamp),
         (Pass::Acted, horn),
@@ -68,6 +70,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Anew, &doors("q;", "S door;")),
         (Pass::Dead, lamp),
         (Pass::Once, drum),
+        (Pass::Equal, stopped),
         (Pass::Store, lamp),
         (Pass::Tables, &belt(9)),
         (Pass::Next, &wash()),

@@ -162,3 +162,28 @@ fn actions_at_once_keep_their_order() {
     is_the_same(chart);
     is_the_same(&chart.replacen("sfc", "grafcet", 1));
 }
+
+/// What stops all steps is asked first, in one place, and what it does is done once; arithmetic, which may panic, beside the steps alone that it stops.
+#[test]
+fn a_stop_is_asked_first_if_it_cannot_panic() {
+    let mixer = include_str!("../../../golden/shapes/branches_stopped.chart");
+    let chart = |stop: &str| {
+        mixer.replacen("input start", "param y: u8 = 9; input start", 1).replacen(
+            "any -[stop]",
+            &format!("any -[{stop}]"),
+            1,
+        )
+    };
+    let compared = chart("stop && y > 3");
+    assert!(
+        text(&compared).contains("\n    if stop && y > 3:\n      if !(state.Idle is Stopped):\n"),
+        "{}",
+        text(&compared)
+    );
+    let computed = text(&chart("stop && 9 - y < 3"));
+    assert!(computed.contains("\n      Idle:\n        if stop && 9 - y < 3:"), "{computed}");
+    for chart in [mixer, &compared] {
+        let inputs = ["start", "full", "mixed", "weighed", "stop", "ack"].map(|input| (input, input == "stop"));
+        each_left_out(&read(chart), &drawn(&inputs, 300), 100);
+    }
+}

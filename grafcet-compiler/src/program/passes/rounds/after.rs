@@ -16,7 +16,7 @@
 
 use std::cell::RefCell;
 
-use super::super::several::weight;
+use super::super::several::{Env, weight};
 use super::super::uses::{Effects, same_block};
 use super::turn::Free;
 use crate::program::build::yes;
@@ -24,7 +24,7 @@ use crate::program::{Expr, PlaceId, Statement};
 use crate::sorted::{Map, Set};
 
 /// In statements: what is more is not done at the end of several ways.
-const FEW: usize = 8;
+pub(super) const FEW: usize = 8;
 
 /// In statements: so much less there has to be so that one end alone leaves something to what stands after the ways.
 const MUCH: usize = 12;
@@ -34,6 +34,8 @@ pub(super) struct Unit<'m> {
     /// The part's number.
     pub(super) at: usize,
     pub(super) statements: Vec<Statement<'m>>,
+    /// Of one part that is more than `FEW`: what is known in front of it.
+    pub(super) known: Option<Env>,
 }
 
 /// What stands after the ways.
@@ -137,7 +139,7 @@ impl<'t> After<'t> {
             }
             for (end, _) in &first.ends {
                 if let (Some(place), at) = (place, ends[*end].len()) {
-                    ends[*end].push(Unit { at, statements: vec![Statement::Set(place, yes())] });
+                    ends[*end].push(Unit { at, statements: vec![Statement::Set(place, yes())], known: None });
                 }
             }
         }

@@ -23,8 +23,10 @@
 //! together (`parts`).
 
 mod after;
+mod alike;
 mod meetings;
 mod owners;
+mod touched;
 mod turn;
 
 use super::super::build::{differ, no, not};

@@ -5,13 +5,14 @@ use std::cell::Cell;
 
 use super::super::edits::unset;
 use super::super::engine::{End, Fact, Tree};
-use super::super::parts::{Part, cut, gathers};
+use super::super::parts::{Part, cut};
 use super::super::search::settle;
-use super::super::several::{Env, Several, Tie};
+use super::super::several::{Env, Several, Tie, weight};
 use super::super::split::merged;
-use super::super::uses::{Effects, first_of, is_pure, is_written_in, reads_from, same_block};
-use super::after::{After, Unit};
+use super::super::uses::{Effects, first_of, is_pure, reads_from, same_block};
+use super::after::{After, FEW, Unit};
 use super::owners::owners;
+use super::touched::Touched;
 use crate::list::List;
 use crate::model::StepId;
 use crate::program::build::no;
@@ -33,14 +34,14 @@ pub(super) struct Free {
 }
 
 pub(super) struct Turn<'t, 'p, 'm> {
-    several: &'t Several<'p, 'm>,
-    parts: Vec<Part<'m>>,
+    pub(super) several: &'t Several<'p, 'm>,
+    pub(super) parts: Vec<Part<'m>>,
     /// By part: what is read after it, in this round.
     later: Vec<Set<PlaceId>>,
     /// By part: what it does to the others.
     effects: Vec<Touched>,
     /// By part: the regions whose states it writes.
-    written: Vec<Vec<usize>>,
+    pub(super) written: Vec<Vec<usize>>,
     /// By part: where it decides on a region (the second) by the state of another one.
     asking: Vec<Set<(usize, usize)>>,
     free: &'t Free,
@@ -127,7 +128,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                 let given = self.several.folded(&part.statements, &env).1[state.0];
                 if !matches!(given, Fact::Is(_)) || matches!(env.facts[state.0], Fact::Is(_)) {
                     if let Some(statements) = self.nested((at, &led), *region, &env) {
-                        done.push(Unit { at, statements });
+                        done.push(Unit { at, statements, known: None });
                         for part in [at].iter().chain(&led) {
                             self.after(&self.parts[*part].statements, &mut env);
                         }
@@ -137,7 +138,9 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                     }
                 }
             }
-            done.push(Unit { at, statements: self.part(at, &env)? });
+            let statements = self.part(at, &env)?;
+            let known = (weight(&statements) > FEW).then(|| env.clone());
+            done.push(Unit { at, statements, known });
             self.after(&part.statements, &mut env);
         }
         Some(done)
@@ -176,8 +179,11 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
 
     /// One part by itself.
     fn part(&self, at: usize, env: &Env) -> Option<Vec<Statement<'m>>> {
-        let (part, written) = (&self.parts[at], &self.written[at]);
-        let region = match written[..] {
+        self.part_of(&self.parts[at], &self.written[at], env)
+    }
+
+    pub(super) fn part_of(&self, part: &Part<'m>, written: &[usize], env: &Env) -> Option<Vec<Statement<'m>>> {
+        let region = match *written {
             [region] => region,
             [] if part.regions.len() == 1 => part.regions[0],
             [] => return Some(self.several.swept(self.several.folded(&part.statements, env).0, env)),
@@ -219,7 +225,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     }
 
     /// Whether a place holds its value whoever reads it.
-    fn is_kept(&self, place: PlaceId) -> bool {
+    pub(super) fn is_kept(&self, place: PlaceId) -> bool {
         let info = &self.several.places[place.0];
         info.is_field || matches!(info.ty, Type::State(_))
     }
@@ -253,6 +259,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         for (value, tree) in &mut ways {
             settle(tree, state, *value);
         }
+        self.alike(&mut ends);
         let after = self.shared.share(region, &mut ends);
         let mut rest = ends.into_iter();
         for (_, tree) in &mut ways {
@@ -309,44 +316,10 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
     }
 }
 
-/// What a part does to the others: what several only gather they may gather in any order.
-struct Touched {
-    /// All the rest.
-    effects: Effects,
-    gathered: Set<PlaceId>,
-}
-
-impl Touched {
-    fn by(statements: &[Statement<'_>]) -> Self {
-        let (mut effects, mut gathered) = (Effects::default(), Set::new());
-        for statement in statements {
-            let mut one = Effects::of(statement);
-            if let Some(place) = gathers(statement) {
-                one.reads.remove(&place);
-                one.writes.remove(&place);
-                gathered.insert(place);
-            }
-            effects.reads.extend(one.reads.iter().copied());
-            effects.writes.extend(one.writes.iter().copied());
-            effects.outside |= one.outside;
-            effects.leaves |= one.leaves;
-        }
-        Self { effects, gathered }
-    }
-
-    fn may_swap(&self, other: &Self) -> bool {
-        let is_free = |gathered: &Set<PlaceId>, effects: &Effects| {
-            gathered.is_disjoint(&effects.reads) && gathered.is_disjoint(&effects.writes)
-        };
-        self.effects.may_swap(&other.effects)
-            && is_free(&self.gathered, &other.effects)
-            && is_free(&other.gathered, &self.effects)
-    }
-}
-
 /// The regions whose states some statements write.
 fn written(several: &Several<'_, '_>, list: &[Statement<'_>]) -> Vec<usize> {
-    (0..several.states.len()).filter(|region| is_written_in(list, several.states[*region])).collect()
+    let writes = Effects::of_all(list).writes;
+    (0..several.states.len()).filter(|region| writes.contains(&several.states[*region])).collect()
 }
 
 /// Where a statement decides on a region (the second) by the state of another one.
@@ -354,7 +327,11 @@ fn asking(several: &Several<'_, '_>, list: &[Statement<'_>]) -> Set<(usize, usiz
     let mut found = Set::new();
     for one in list {
         let led = written(several, std::slice::from_ref(one));
-        for region in (0..several.states.len()).filter(|region| reads_from(one, several.states[*region])) {
+        if led.is_empty() {
+            continue;
+        }
+        let reads = Effects::of(one).reads;
+        for region in (0..several.states.len()).filter(|region| reads.contains(&several.states[*region])) {
             found.extend(led.iter().filter(|other| **other != region).map(|other| (region, *other)));
         }
     }

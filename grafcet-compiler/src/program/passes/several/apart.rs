@@ -22,10 +22,11 @@ use crate::list::List;
 use crate::program::build::no;
 use crate::program::passes::edits::rename;
 use crate::program::passes::uses::{Effects, reads_from};
-use crate::program::{Expr, Fence, PlaceId, Program, Statement, Value};
+use crate::program::{Expr, Fence, PlaceId, Program, Role, Statement, Value};
 use crate::sorted::Set;
 
 use super::super::engine::Fact;
+use super::super::parts::gathers;
 
 /// Where the actions of a cycle stand.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -60,7 +61,12 @@ impl<'m> Several<'_, 'm> {
         let mut evolves = vec![false; body.len()];
         let mut told: Set<PlaceId> = Set::new();
         for (at, effects) in effects.iter().enumerate() {
-            let asks = actions == Actions::Apart && effects.reads.iter().any(|place| told.contains(place));
+            // Whether the next cycle would do the same is asked once, of outputs, too.
+            let is_settled =
+                matches!(&body[at], Statement::Set(place, _) if self.places[place.0].role == Role::Settled);
+            let gathered = gathers(&body[at]);
+            let is_asked = |place: &&PlaceId| told.contains(*place) && gathered != Some(**place);
+            let asks = actions == Actions::Apart && !is_settled && effects.reads.iter().any(|place| is_asked(&place));
             if at <= end || asks {
                 evolves[at] = true;
                 let is_told = |place: &&PlaceId| !self.places[place.0].is_field && !self.states.contains(place);

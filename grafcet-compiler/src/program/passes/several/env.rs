@@ -2,6 +2,7 @@
 
 use super::super::engine::{Among, Fact};
 use super::super::fold::initial;
+use crate::list::List;
 use crate::program::{PlaceId, PlaceInfo, Type, Value};
 use crate::sorted::Set;
 
@@ -34,5 +35,36 @@ impl Env {
         }
         self.lists.push(states);
         Fact::Among(self.lists.len() - 1)
+    }
+
+    /// Knows no more than another one does, too. Of which places that is less than before.
+    pub(in super::super) fn join(&mut self, other: &Self) -> Vec<PlaceId> {
+        let mut less = Vec::new();
+        for place in 0..self.facts.len() {
+            let (own, others) = (self.facts[place], other.facts[place]);
+            if own == others && !matches!(own, Fact::Among(_)) {
+                continue;
+            }
+            self.facts[place] = match (self.states(own), other.states(others)) {
+                (Some(own), Some(others)) if own == others => continue,
+                (Some(mut own), Some(others)) => {
+                    own.extend(others.iter().filter(|state| !own.contains(state)).copied().list());
+                    self.among(own)
+                }
+                _ => Fact::Nothing,
+            };
+            less.push(PlaceId(place));
+        }
+        less
+    }
+
+    /// The states that a place has one of, as far as a fact tells.
+    fn states(&self, fact: Fact) -> Option<Among> {
+        match fact {
+            Fact::Is(Value::Step(state)) => Some(vec![state]),
+            Fact::Among(list) => self.lists.get(list).cloned(),
+            Fact::Copy(of) => self.states(self.facts[of.0]),
+            _ => None,
+        }
     }
 }

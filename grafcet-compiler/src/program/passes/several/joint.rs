@@ -43,21 +43,6 @@ fn value_of<'s, 'm>(
 }
 
 impl<'m> Several<'_, 'm> {
-    /// First a condition that looks at no region and decides about several, as that of an `any` which leaves parallel branches.
-    pub(super) fn by_stop(&self, looked: &Looked<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
-        let deciding = Deciding::of(self.places, looked);
-        let is_stop = |at: usize| match &looked.list[at] {
-            Statement::Set(place, value) => {
-                let info = &self.places[place.0];
-                let is_truth = !info.is_field && matches!(info.ty, Type::Bool);
-                is_truth && is_pure(value) && looked.regions[at].is_empty() && deciding.about(*place).len() > 1
-            }
-            _ => false,
-        };
-        let at = (0..looked.list.len()).find(|at| is_stop(*at)).filter(|_| self.effort.get() > 0)?;
-        self.asked_first(looked.list.clone(), at, &[], env)
-    }
-
     /// A part of regions that depend on each other.
     pub(super) fn joint(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
         if let Some(done) = self.by_head(&part, env) {
@@ -229,15 +214,29 @@ impl<'m> Several<'_, 'm> {
     /// The condition at a place is asked, and the rest done by what it says, if what stands in front of it may stand after it. Where it holds, the truths `off` are false.
     fn asked_first(
         &self,
-        mut list: Vec<Statement<'m>>,
+        list: Vec<Statement<'m>>,
         at: usize,
         off: &[PlaceId],
         env: &Env,
     ) -> Option<Vec<Statement<'m>>> {
-        let wanted = Effects::of(&list[at]).reads;
+        self.asked_before(list, (at, None), off, env)
+    }
+
+    /// The same of a part of a condition: what is left of it is asked where that part holds.
+    pub(super) fn asked_before(
+        &self,
+        mut list: Vec<Statement<'m>>,
+        (at, left): (usize, Option<&Expr<'m>>),
+        off: &[PlaceId],
+        env: &Env,
+    ) -> Option<Vec<Statement<'m>>> {
+        let mut asking = Effects::of(&list[at]);
+        if let Some(left) = left {
+            each_read(left, &mut |place| _ = asking.reads.insert(place));
+        }
         let after = list.split_off(at);
-        let (before, mut rest) = needed(&list, wanted)?;
-        let swaps = |one: &&Statement<'m>| Effects::of(one).may_swap(&Effects::of_all(&rest));
+        let (before, mut rest) = needed(&list, asking.reads.clone())?;
+        let swaps = |_: &&Statement<'m>| asking.may_swap(&Effects::of_all(&rest));
         let Some(Statement::Set(place, condition)) = after.first().filter(swaps) else { return None };
         let (place, condition) = (*place, condition.clone());
         rest.extend(after.into_iter().skip(1));
@@ -250,9 +249,14 @@ impl<'m> Several<'_, 'm> {
         for holds in [true, false] {
             let mark = engine.trail.len();
             engine.tell(&condition, holds);
-            engine.note(place, Fact::Is(Value::Bool(holds)));
-            let mut known = vec![(place, holds)];
             let mut rest = rest.clone();
+            let mut known = Vec::new();
+            if let Some(left) = left.filter(|_| holds) {
+                rest.insert(0, Statement::Set(place, left.clone()));
+            } else {
+                engine.note(place, Fact::Is(Value::Bool(holds)));
+                known.push((place, holds));
+            }
             if holds {
                 for truth in off {
                     engine.note(*truth, Fact::Is(Value::Bool(false)));

@@ -28,6 +28,7 @@ mod joint;
 mod prepared;
 mod single;
 mod spec;
+mod stop;
 
 pub(super) use apart::{Actions, pass as apart};
 pub(super) use env::Env;
@@ -117,6 +118,8 @@ pub(super) struct Several<'p, 'm> {
     is_flat: bool,
     /// So many statements and places may still be looked at for conditions that are asked first.
     effort: Cell<usize>,
+    /// Whether part of a condition is asked first, too: not within what is compared with that.
+    tries_stops: Cell<bool>,
 }
 
 /// Where one region has this state, another one has that.
@@ -161,6 +164,7 @@ impl<'p, 'm> Several<'p, 'm> {
             meetings: Vec::new(),
             is_flat: !program.model.is_grafcet(),
             effort: Cell::new(effort(program)),
+            tries_stops: Cell::new(true),
         })
     }
 

@@ -19,7 +19,10 @@ impl<'m> Several<'_, 'm> {
         let body = spread(self.places, body, &off);
         let looked = Looked::at(self.places, body);
         let stopped = self.by_stop(&looked, env);
+        let tries = self.tries_stops.get();
+        self.tries_stops.set(tries && stopped.is_none());
         let usual = self.by_parts(looked, env);
+        self.tries_stops.set(tries);
         match stopped {
             Some(stopped) if size(&stopped) < size(&usual) => stopped,
             _ => usual,

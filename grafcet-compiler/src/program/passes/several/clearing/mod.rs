@@ -265,7 +265,7 @@ fn is_copied(list: &[Statement<'_>], was: PlaceId, state: PlaceId) -> bool {
 }
 
 /// What all has to hold.
-fn parts<'e, 'm>(condition: &'e Expr<'m>) -> &'e [Expr<'m>] {
+pub(super) fn parts<'e, 'm>(condition: &'e Expr<'m>) -> &'e [Expr<'m>] {
     match condition {
         Expr::All(parts) => parts,
         one => std::slice::from_ref(one),

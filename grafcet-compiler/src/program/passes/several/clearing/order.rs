@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use super::super::Several;
 use super::sorted::denied;
 use super::{Asking, Clearing, Told, parts};
+use crate::list::List;
 use crate::model::StepId;
 use crate::program::build::{all, yes};
 use crate::program::passes::edits::replaced;
@@ -19,6 +20,15 @@ pub(super) struct Group {
     members: Vec<usize>,
 }
 
+/// What there is between a group and another one.
+#[derive(Clone, Copy, Default)]
+struct Between {
+    /// It has to stand in front of the other one.
+    is_before: bool,
+    /// How often the other one asks for what this one may have written.
+    disturbs: usize,
+}
+
 /// The transitions of a part, by the regions they ask for.
 #[derive(Clone, Copy)]
 pub(super) struct Groups<'c, 's, 'p, 'm> {
@@ -30,23 +40,78 @@ pub(super) struct Groups<'c, 's, 'p, 'm> {
 impl Groups<'_, '_, '_, '_> {
     /// In an order in which each state is written last by whom it was, and few conditions ask for the state before.
     pub(super) fn ordered(self) -> Option<Vec<Group>> {
-        let mut left = self.by_region();
-        let mut ordered = Vec::with_capacity(left.len());
+        let in_front = self.in_front();
+        let mut groups = self.by_region();
+        for group in &mut groups {
+            group.members = sorted(&group.members, &in_front)?;
+        }
+        let between = self.between(&groups, &in_front);
+        let (mut waits, mut disturbs) = (vec![0; groups.len()], vec![0; groups.len()]);
+        for (of, all) in between.iter().enumerate() {
+            for (other, between) in all.iter().enumerate().filter(|(other, _)| *other != of) {
+                waits[other] += usize::from(between.is_before);
+                disturbs[of] += between.disturbs;
+            }
+        }
+        let (mut left, mut ordered) = ((0..groups.len()).list(), Vec::with_capacity(groups.len()));
         while !left.is_empty() {
-            let is_free = |at: &usize| {
-                let others = || left.iter().enumerate().filter(|(other, _)| other != at);
-                !others().any(|(_, other)| self.is_before(&other.members, &left[*at].members))
-            };
-            let disturbs = |at: &usize| {
-                let others = || left.iter().enumerate().filter(|(other, _)| other != at);
-                others().map(|(_, other)| self.disturbed(&left[*at].members, other)).sum::<usize>()
-            };
-            let next = (0..left.len()).filter(is_free).min_by_key(disturbs)?;
-            let mut group = left.remove(next);
-            group.members = self.sorted(&group.members)?;
-            ordered.push(group);
+            let free = left.iter().enumerate().filter(|(_, of)| waits[**of] == 0);
+            let (at, _) = free.min_by_key(|(_, of)| disturbs[**of])?;
+            let next = left.remove(at);
+            for other in &left {
+                waits[*other] -= usize::from(between[next][*other].is_before);
+                disturbs[*other] -= between[*other][next].disturbs;
+            }
+            ordered.push(Group { region: groups[next].region, members: std::mem::take(&mut groups[next].members) });
         }
         Some(ordered)
+    }
+
+    /// By transition: those that have to stand in front of it, as it says last what becomes of a region.
+    fn in_front(self) -> Vec<Set<usize>> {
+        let mut writers = vec![Vec::new(); self.several.states.len()];
+        for (at, clearing) in self.clearings.iter().enumerate() {
+            for (region, ..) in &clearing.writes {
+                writers[*region].push(at);
+            }
+        }
+        let mut in_front = vec![Set::new(); self.clearings.len()];
+        for (first, second) in
+            writers.iter().flat_map(|of| of.iter().flat_map(|one| of.iter().map(|other| (*one, *other))))
+        {
+            if self.clearings[first].yields_to(&self.clearings[second], self.several) {
+                in_front[second].insert(first);
+            }
+        }
+        in_front
+    }
+
+    /// By group, and by another one: what there is between them.
+    fn between(self, groups: &[Group], in_front: &[Set<usize>]) -> Vec<Vec<Between>> {
+        let mut group_of = vec![0; self.clearings.len()];
+        for (at, group) in groups.iter().enumerate() {
+            for member in &group.members {
+                group_of[*member] = at;
+            }
+        }
+        let mut tests = vec![Vec::new(); self.several.states.len()];
+        for (at, clearing) in self.clearings.iter().enumerate() {
+            for (region, steps) in &clearing.tests {
+                tests[*region].push((at, steps));
+            }
+        }
+        let mut between = vec![vec![Between::default(); groups.len()]; groups.len()];
+        for (at, clearing) in self.clearings.iter().enumerate() {
+            for first in &*in_front[at] {
+                between[group_of[*first]][group_of[at]].is_before = true;
+            }
+            for (region, ..) in &clearing.writes {
+                for (other, steps) in &tests[*region] {
+                    between[group_of[at]][group_of[*other]].disturbs += usize::from(!clearing.keeps(*region, steps));
+                }
+            }
+        }
+        between
     }
 
     /// Each transition with those that ask for the same region, that of its own for which the most do.
@@ -70,38 +135,18 @@ impl Groups<'_, '_, '_, '_> {
         }
         groups
     }
+}
 
-    /// Members of one group in an order that is possible.
-    fn sorted(self, members: &[usize]) -> Option<Vec<usize>> {
-        let mut left = members.to_vec();
-        let mut sorted = Vec::with_capacity(left.len());
-        while !left.is_empty() {
-            let is_free = |at: &usize| !left.iter().any(|other| other != at && self.is_before(&[*other], &[*at]));
-            let next = left.iter().position(is_free)?;
-            sorted.push(left.remove(next));
-        }
-        Some(sorted)
+/// Members of one group in an order that is possible.
+fn sorted(members: &[usize], in_front: &[Set<usize>]) -> Option<Vec<usize>> {
+    let mut left = members.to_vec();
+    let mut sorted = Vec::with_capacity(left.len());
+    while !left.is_empty() {
+        let is_free = |at: &usize| !left.iter().any(|other| other != at && in_front[*at].contains(other));
+        let next = left.iter().position(is_free)?;
+        sorted.push(left.remove(next));
     }
-
-    /// Whether one of the first has to stand in front of one of the second.
-    fn is_before(self, first: &[usize], second: &[usize]) -> bool {
-        let is_in_front = |one: usize| {
-            second.iter().any(|other| self.clearings[one].yields_to(&self.clearings[*other], self.several))
-        };
-        first.iter().any(|one| is_in_front(*one))
-    }
-
-    /// How often a group asks for what these may have written.
-    fn disturbed(self, these: &[usize], group: &Group) -> usize {
-        let mut count = 0;
-        for one in these {
-            for other in &group.members {
-                let tests = self.clearings[*other].tests.iter();
-                count += tests.filter(|(region, steps)| !self.clearings[*one].keeps(*region, steps)).count();
-            }
-        }
-        count
-    }
+    Some(sorted)
 }
 
 /// Writes one group after the other.

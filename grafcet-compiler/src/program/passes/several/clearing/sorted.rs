@@ -2,7 +2,7 @@
 
 use super::super::super::engine::Fact;
 use super::super::super::parts::gathers;
-use super::super::super::uses::{Effects, each_read, leaves, mentions, writes_to};
+use super::super::super::uses::{Effects, each_read, leaves, writes_to};
 use super::super::{Env, Several};
 use super::guards::{Guard, Truths, one_of};
 use super::told::Telling;
@@ -116,7 +116,11 @@ impl<'m> Several<'_, 'm> {
 
     /// Whether some ask for a state as it was, and others for what has become of it since.
     fn is_of_two_moments(&self, clearings: &[Clearing<'m>]) -> bool {
-        let asks = |place: PlaceId| clearings.iter().flat_map(|one| &one.asks).any(|asked| mentions(asked, place));
+        let mut asked: Set<PlaceId> = Set::new();
+        for asks in clearings.iter().flat_map(|one| &one.asks) {
+            each_read(asks, &mut |place| _ = asked.insert(place));
+        }
+        let asks = |place: PlaceId| asked.contains(&place);
         let both = |(was, state): (&Option<PlaceId>, &PlaceId)| was.is_some_and(asks) && asks(*state);
         self.was.iter().zip(&self.states).any(both)
     }
@@ -206,9 +210,10 @@ impl<'m> Several<'_, 'm> {
         let is_first = |at: usize, truth: PlaceId| {
             list.iter().position(|one| writes_to(one, truth)).is_none_or(|first| first >= at)
         };
-        let mut moves = Vec::new();
+        let (mut moves, mut told) = (Vec::new(), Map::new());
         for (at, Moved { truth, begins, .. }) in &all {
-            if tells(*truth) && (!begins || is_first(*at, *truth)) {
+            // As a rule one truth tells it of all regions.
+            if *told.or_insert_with(*truth, || tells(*truth)) && (!begins || is_first(*at, *truth)) {
                 kinds[*at] = Kind::Moves;
                 moves.push(Told { truth: *truth, by: None, begins: *begins });
             }
