@@ -30,12 +30,13 @@ impl Tree {
     #[must_use]
     pub(crate) fn may_panic(&self) -> bool {
         match self {
-            Tree::Opaque { .. } | Tree::Unary(Unary::Neg, _) => true,
-            Tree::Unary(Unary::Not, inner) => inner.may_panic(),
-            Tree::Binary(
+            Tree::Opaque { .. }
+            | Tree::Unary(Unary::Neg, _)
+            | Tree::Binary(
                 Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem | Binary::Shl | Binary::Shr,
                 ..,
             ) => true,
+            Tree::Unary(Unary::Not, inner) => inner.may_panic(),
             Tree::Binary(_, a, b) => a.may_panic() || b.may_panic(),
             _ => false,
         }

@@ -33,7 +33,7 @@ impl<'m> Several<'_, 'm> {
         })?;
         let mut list = looked.list.clone();
         list[at] = Statement::Set(place, Expr::All(asked));
-        let left = (!left.is_empty()).then(|| Expr::All(left));
+        let left = (!left.is_empty()).then_some(Expr::All(left));
         self.asked_before(list, (at, left.as_ref()), &[], env)
     }
 
