@@ -20,6 +20,7 @@ use super::super::build::not;
 use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Value};
 use super::engine::Among;
 use super::fold::Known;
+use super::nested::states;
 use super::split::merged;
 use super::uses::{each_written, same};
 use crate::list::List;
@@ -75,7 +76,8 @@ impl<'m> Way<'m> {
         let mut way = self.clone();
         if let Some(region) = region_of(program, place) {
             let is_asked = |step: &Option<StepId>| arms.iter().any(|(values, _)| values.contains(&Value::Step(*step)));
-            let mut left: Among = states(program, region).filter(|step| !is_asked(step)).list();
+            let mut left = states(program, region);
+            left.retain(|step| !is_asked(step));
             left.push(None);
             way.note(place, left);
         }
@@ -157,12 +159,6 @@ fn region_of(program: &Program<'_>, place: PlaceId) -> Option<usize> {
     }
 }
 
-/// All states of a region.
-fn states<'p>(program: &'p Program<'_>, region: usize) -> impl Iterator<Item = Option<StepId>> + 'p {
-    let none = (!program.full[region]).then_some(None);
-    program.regions[region].iter().map(|step| Some(*step)).chain(none)
-}
-
 /// A state that is stored in all states but itself.
 fn stored<'m>(program: &Program<'m>, statement: &Statement<'m>) -> Option<Vec<Statement<'m>>> {
     let sets = |block: &[Statement<'m>], to: PlaceId| match block {
@@ -194,7 +190,7 @@ fn stored<'m>(program: &Program<'m>, statement: &Statement<'m>) -> Option<Vec<St
     if matches!(program.places[place.0].initial, Initial::Value(Value::Start(_))) {
         return None;
     }
-    let all = states(program, region).all(|state| state == step || asked.contains(&state));
+    let all = states(program, region).iter().all(|state| *state == step || asked.contains(state));
     all.then(|| vec![Statement::Set(place, Expr::Value(Value::Step(step)))])
 }
 
@@ -268,8 +264,9 @@ fn holds(program: &Program<'_>, (region, values): (usize, &[Value]), place: Plac
             Some(state) => program.beside.contains(active.index(), state.index()),
             None => other != region,
         };
-        let mut possible = states(program, other).filter(|state| may_be(*state));
-        possible.next() == Some(step) && possible.next().is_none()
+        let mut possible = states(program, other);
+        possible.retain(|state| may_be(*state));
+        possible == [step]
     })
 }
 

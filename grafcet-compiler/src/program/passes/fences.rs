@@ -220,13 +220,17 @@ fn asks_again(program: &Program<'_>, around: &[PlaceId], statement: &Statement<'
 fn is_stop(program: &Program<'_>, condition: &Expr<'_>, then: &[Statement<'_>]) -> bool {
     let mut asks = false;
     each_read(condition, &mut |_| asks = true);
-    let moves = |one: &Statement<'_>| matches!(one, Statement::Set(place, _) if matches!(program.places[place.0].role, Role::State(_)));
+    let moves = |one: &Statement<'_>| matches!(one, Statement::Set(place, _) if is_state(program, *place));
     !asks && then.iter().any(moves)
 }
 
 fn dispatches(program: &Program<'_>, statements: &[Statement<'_>]) -> bool {
-    let by_state = |one: &Statement<'_>| matches!(one, Statement::Match(place, ..) if matches!(program.places[place.0].role, Role::State(_)));
+    let by_state = |one: &Statement<'_>| matches!(one, Statement::Match(place, ..) if is_state(program, *place));
     statements.iter().any(by_state)
+}
+
+fn is_state(program: &Program<'_>, place: PlaceId) -> bool {
+    matches!(program.places[place.0].role, Role::State(_))
 }
 
 fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, within: Option<&[PlaceId]>) {

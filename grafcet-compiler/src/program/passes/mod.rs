@@ -42,7 +42,7 @@
 //! - `common`: what many states ask first is asked in front of the match
 //! - `limits`: whether a time has reached its limit is asked as "not less"
 //!
-//! Whether the actions of an `sfc` of several regions stand apart (`Apart`) is weighed after all others, which run on both; what stands once after the match of `split` is weighed within it (`tail`).
+//! Whether the actions of an `sfc` of several regions stand apart (`Apart`) is weighed after all others, which run on both; what stands once in front of the match of `split`, or after it, is weighed within it (`front`, `tail`).
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
 //! `share` (what lists have in common, `alike` what only looks different), `search` on `early` (where it ends without another look), `several` and `rounds` also on `parts` (another order, in which those of one region stand together; `belonging`, where regions only look at each other) and `among` (which

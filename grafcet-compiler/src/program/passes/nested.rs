@@ -137,7 +137,7 @@ fn set_aside<'m>(statements: &mut Vec<Statement<'m>>, resting: &[Option<StepId>]
 }
 
 /// All states of a region.
-fn states(program: &Program<'_>, region: usize) -> Vec<Option<StepId>> {
+pub(super) fn states(program: &Program<'_>, region: usize) -> Vec<Option<StepId>> {
     let mut states: Vec<Option<StepId>> = vec![];
     states.extend(program.regions[region].iter().map(|step| Some(*step)));
     if !program.full[region] {

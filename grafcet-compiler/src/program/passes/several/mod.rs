@@ -14,7 +14,8 @@
 //!
 //! Some statements are looked at with all that is known of the states, cut into parts (`parts`), and each part looked at by itself (`spec`):
 //! - of one region: for each state that it may have, what is done in it (`engine`);
-//! - of all regions: what a condition decides that looks at none of them and decides about several, as that of an `any` that leaves parallel branches, is done by what it says, if that is shorter;
+//! - of all regions: what a condition decides that looks at none of them and decides about several, as that of an `any` that leaves parallel branches, is done by what it says, if that is
+//!   shorter; so is the part of such a condition that looks at none of them, if it is for many steps (`stop`);
 //! - of regions that depend on each other: where one of them has states beside which no other step is active, those first; else where one
 //!   condition looks at several regions, it is asked first, and the rest done by what it says; where several do, or none, each transition in one
 //!   place (`clearing`), if that is shorter.
