@@ -68,7 +68,7 @@ impl Batch {
             delay0_since: ::grafcet::__private::Ticks::ZERO,
             delay0_in: false,
             delay0_out: false,
-            edge0_before: false,
+            edge0_before: true,
             was_q_heat: false,
             acted_heat: 0,
             held_heat_3_: false,

@@ -28,10 +28,10 @@ impl Cell {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            region_0: __CellRegion0::INIT,
+            region_0: __CellRegion0::Idle,
             clamp: false,
             n: 0,
-            edge0_before: false,
+            edge0_before: true,
             stable: true,
         }
     }
@@ -246,7 +246,6 @@ enum __CellRegion0 {
     Close,
     Open,
     Count,
-    INIT,
 }
 #[automatically_derived]
 impl ::grafcet::__private::core::cmp::Eq for __CellRegion0 {}
@@ -258,16 +257,7 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
     ) -> ::grafcet::__private::core::fmt::Result {
         f_.write_str(
             ::grafcet::__private::name_at(
-                &[
-                    "Stopped",
-                    "Restart",
-                    "Idle",
-                    "Feed",
-                    "Close",
-                    "Open",
-                    "Count",
-                    "INIT",
-                ],
+                &["Stopped", "Restart", "Idle", "Feed", "Close", "Open", "Count"],
                 *self as ::grafcet::__private::usize,
             ),
         )
@@ -364,15 +354,11 @@ impl Cell {
                 bell: false,
             }
         };
-        let first_: ::grafcet::__private::bool = self.region_0 == __CellRegion0::INIT;
-        if first_ {
-            self.region_0 = __CellRegion0::Idle;
-            self.edge0_before = inputs_.part;
-        }
         let inputs_ = ::grafcet::__private::core::hint::black_box(inputs_);
         let mut clears_auto_idle_: ::grafcet::__private::bool = false;
         let mut evolutions_: ::grafcet::__private::u32 = 0;
         loop {
+            ::grafcet::__private::fence_on_armv6m();
             let mut moves_32__: ::grafcet::__private::bool = false;
             let was_state_count_: __CellRegion0 = self.region_0;
             let mut next_clamp_: ::grafcet::__private::bool = self.clamp;
@@ -533,16 +519,14 @@ impl Cell {
             CellStep::Ready => {
                 ::grafcet::__private::core::matches!(
                     self.region_0, __CellRegion0::Idle | __CellRegion0::Feed |
-                    __CellRegion0::Close | __CellRegion0::Open | __CellRegion0::Count |
-                    __CellRegion0::INIT
+                    __CellRegion0::Close | __CellRegion0::Open | __CellRegion0::Count
                 )
             }
             CellStep::Stopped => self.region_0 == __CellRegion0::Stopped,
             CellStep::Restart => self.region_0 == __CellRegion0::Restart,
             CellStep::Idle => {
                 ::grafcet::__private::core::matches!(
-                    self.region_0, __CellRegion0::Restart | __CellRegion0::Idle |
-                    __CellRegion0::INIT
+                    self.region_0, __CellRegion0::Restart | __CellRegion0::Idle
                 )
             }
             CellStep::Feed => self.region_0 == __CellRegion0::Feed,
@@ -558,8 +542,7 @@ impl Cell {
         let mut steps_ = ::grafcet::__private::heapless::Vec::new();
         if ::grafcet::__private::core::matches!(
             self.region_0, __CellRegion0::Idle | __CellRegion0::Feed |
-            __CellRegion0::Close | __CellRegion0::Open | __CellRegion0::Count |
-            __CellRegion0::INIT
+            __CellRegion0::Close | __CellRegion0::Open | __CellRegion0::Count
         ) {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
@@ -579,8 +562,7 @@ impl Cell {
             );
         }
         if ::grafcet::__private::core::matches!(
-            self.region_0, __CellRegion0::Restart | __CellRegion0::Idle |
-            __CellRegion0::INIT
+            self.region_0, __CellRegion0::Restart | __CellRegion0::Idle
         ) {
             let _ = ::grafcet::__private::heapless::Vec::push(
                 &mut steps_,
@@ -623,10 +605,7 @@ impl Cell {
     #[must_use]
     pub const fn situation(&self) -> CellSituation {
         CellSituation {
-            region_0: match self.region_0 {
-                __CellRegion0::INIT => __CellRegion0::Idle,
-                entered_ => entered_,
-            },
+            region_0: self.region_0,
         }
     }
     /// Whether these steps are active, in any order, and no others: the same question for one active step and

@@ -2,7 +2,8 @@
 
 use super::{Answer, Condition, Logic, is_constant_read};
 use crate::list::List;
-use crate::model::{Binary, EdgeId, Effect, Expr, Id, Model, Read, StepId, Tree, Unary};
+use crate::model::{Association, Binary, EdgeId, Effect, Expr, Id, Model, Read, StepId, Tree, Unary};
+use crate::qualifier::Qualifier;
 use crate::sorted::Set;
 
 /// The edge that is read.
@@ -29,7 +30,12 @@ pub(crate) fn holds_without_edge(logic: &Logic<'_>, expr: &Expr, condition: &Con
 
 /// Whether an edge is read of what has one value throughout a cycle, which only the first evolution sees (A2).
 pub(super) fn is_edge_of_inputs(model: &Model, read: &Read) -> bool {
-    edge_of(read).is_some_and(|edge| model.edges[edge].of.reads.iter().all(is_constant_read))
+    is_edge_of(model, read, &|of| is_constant_read(of))
+}
+
+/// Whether an edge is read of what reads only these.
+pub(super) fn is_edge_of(model: &Model, read: &Read, of: &dyn Fn(&Read) -> bool) -> bool {
+    edge_of(read).is_some_and(|edge| model.edges[edge].of.reads.iter().all(of))
 }
 
 /// What may change because an edge is gone that was there in the last cycle.
@@ -65,7 +71,7 @@ pub(crate) fn edge_ends(model: &Model, helps: bool) -> Vec<EdgeEnd> {
     for edge in found.drain(..) {
         all[edge.index()].evolving.always = true;
     }
-    for association in model.associations.values() {
+    for association in model.associations.values().filter(|one| !is_over_with_edges(one)) {
         for read in association.condition.iter().and(&association.event).flat(|expr| &expr.reads) {
             if let Some(edge) = edge_of(read) {
                 all[edge.index()].acting.steps.insert(association.step);
@@ -84,6 +90,20 @@ pub(crate) fn edge_ends(model: &Model, helps: bool) -> Vec<EdgeEnd> {
         (evolving.always, acting.always) = (true, true);
     }
     all
+}
+
+/// Whether an action happens with an edge alone: what it has done stays, and without edges it does nothing.
+fn is_over_with_edges(association: &Association) -> bool {
+    association.qualifier == Qualifier::On && association.event.as_ref().is_some_and(|event| asks_for_edge(&event.tree))
+}
+
+fn asks_for_edge(tree: &Tree) -> bool {
+    match tree {
+        Tree::Binary(Binary::And, a, b) => asks_for_edge(a) || asks_for_edge(b),
+        Tree::Binary(Binary::Or, a, b) => asks_for_edge(a) && asks_for_edge(b),
+        Tree::Read(read) => edge_of(read).is_some(),
+        _ => false,
+    }
 }
 
 /// The edges of a tree that are not only asked for (`wanted`), or only for not being there.

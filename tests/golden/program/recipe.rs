@@ -42,7 +42,7 @@ impl Dyer {
             reading: Ticks::ZERO,
             settled: false,
             time: Ticks::ZERO,
-            edge0_before: false,
+            edge0_before: true,
             was_q_heat: false,
             acted_heat: 0,
             was_q_drum: false,
@@ -93,9 +93,6 @@ impl Dyer {
         self.time = self.time + elapsed_;
         let was_state_: __DyerState = self.situation;
         let edge0_now_: bool = inputs_.start;
-        if self.first {
-            self.edge0_before = edge0_now_;
-        }
         let mut clears_idle_fill_: bool = false;
         let mut clears_fill_wash_: bool = false;
         let mut clears_wash_dye_: bool = false;

@@ -30,7 +30,7 @@ impl Crossing {
             reading: Ticks::ZERO,
             settled: false,
             since: Ticks::ZERO,
-            edge0_before: false,
+            edge0_before: true,
         }
     }
 }
@@ -68,9 +68,6 @@ impl Crossing {
         }
         let was_state_: __CrossingState = self.situation;
         let edge0_now_: bool = inputs_.button;
-        if self.first {
-            self.edge0_before = edge0_now_;
-        }
         let mut clears_cars_asked_: bool = false;
         let mut clears_asked_yellow_: bool = false;
         let mut clears_yellow_stop_: bool = false;

@@ -58,7 +58,6 @@ impl BranchesInTurn {
         match self.region_0 {
             __BranchesInTurnRegion0::INIT => {
                 self.region_0 = __BranchesInTurnRegion0::Idle;
-                self.since_warm = self.reading;
             }
             _ => {
                 let last_batches_: core::primitive::u8;

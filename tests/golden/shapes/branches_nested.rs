@@ -52,8 +52,6 @@ impl Nested {
         match self.region_0 {
             __NestedRegion0::INIT => {
                 self.region_0 = __NestedRegion0::Idle;
-                self.since_heat = self.reading;
-                self.since_return = self.reading;
                 outputs_.ready = true;
             }
             __NestedRegion0::Idle => {

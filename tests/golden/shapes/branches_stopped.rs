@@ -32,6 +32,7 @@ impl Mixer {
         };
         let inputs_ = core::hint::black_box(inputs_);
         loop {
+            fence_on_armv6m();
             let mut moves_27__: bool = false;
             let was_state_idle_: __MixerRegion0 = self.region_0;
             if inputs_.stop {

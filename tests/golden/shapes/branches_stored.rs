@@ -75,9 +75,6 @@ impl Kiln {
                 }
             }
         }
-        if first_ {
-            self.edge0_before = inputs_.start;
-        }
         let inputs_ = core::hint::black_box(inputs_);
         loop {
             let mut moves_31__: bool = false;
@@ -369,7 +366,7 @@ impl Kiln {
             }
             let mut was_state_idle_: __KilnRegion0 = self.region_0;
             let was_state_three_: __KilnRegion1 = self.region_1;
-            let mut edge0_now_: bool = inputs_.start;
+            let edge0_now_: bool = inputs_.start;
             self.region_0 = forced0_;
             self.region_1 = forced1_;
             let mut next_count_: core::primitive::u16 = self.count;
@@ -397,12 +394,7 @@ impl Kiln {
                 self.time_idle = Ticks::ZERO;
             }
             self.edge0_before = edge0_now_;
-            let evolutions_: u32 = 1;
             was_state_idle_ = self.region_0;
-            edge0_now_ = inputs_.start;
-            if first_ && evolutions_ == 0 {
-                self.edge0_before = edge0_now_;
-            }
             let next_fire_: bool = was_state_idle_
                 == __KilnRegion0::One
                 && ({

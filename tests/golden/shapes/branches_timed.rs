@@ -55,7 +55,6 @@ impl Kettle {
                     self.region_1 = __KettleRegion1::Fill;
                     self.since_fill = now_;
                     outputs_.valve = true;
-                    outputs_.ready = self.s_ff_ready;
                     outputs_.heater = true;
                 }
             }

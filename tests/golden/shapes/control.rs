@@ -559,9 +559,6 @@ impl Works {
             }
             let last_count_: core::primitive::u16 = self.count;
             let action_edge0_now_: bool = inputs_.b;
-            if first_ {
-                self.action_edge0_before = action_edge0_now_;
-            }
             let on_idle_0__: bool = self.region_0
                 == __WorksRegion0::Idle;
             let on_idle_1__: bool = self.region_0

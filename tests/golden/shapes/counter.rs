@@ -15,13 +15,7 @@ impl Counter {
     ) -> CounterOutputs {
         let mut outputs_ = CounterOutputs { many: false };
         let edge0_now_: bool = inputs_.pulse;
-        if self.first {
-            self.edge0_before = edge0_now_;
-        }
         let edge1_now_: bool = inputs_.clear;
-        if self.first {
-            self.edge1_before = edge1_now_;
-        }
         loop {
             let mut next_count_: core::primitive::u16 = self.count;
             if !self.edge1_before && edge1_now_ {
@@ -47,7 +41,6 @@ impl Counter {
         };
         self.edge0_before = edge0_now_;
         self.edge1_before = edge1_now_;
-        self.first = false;
         outputs_
     }
 }

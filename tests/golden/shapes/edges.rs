@@ -4,7 +4,6 @@ enum __SorterState {
     Wait,
     Carry,
     Push,
-    INIT,
 }
 impl Sorter {
     /// One cycle: evaluates the transition conditions on the inputs, clears, acts, and returns the outputs of the new
@@ -23,12 +22,6 @@ impl Sorter {
                 lamp: false,
             }
         };
-        let first_: bool = self.situation == __SorterState::INIT;
-        if first_ {
-            self.situation = __SorterState::Wait;
-            self.edge0_before = inputs_.part;
-            self.edge1_before = inputs_.end;
-        }
         let mut now_state_: __SorterState = self.situation;
         loop {
             let inputs_ = core::hint::black_box(inputs_);
@@ -55,9 +48,6 @@ impl Sorter {
                         break;
                     }
                 }
-                _ => {
-                    break;
-                }
             }
             self.situation = now_state_;
             self.edge0_before = inputs_.part;
@@ -76,7 +66,6 @@ impl Sorter {
             __SorterState::Push => {
                 outputs_.push = true;
             }
-            _ => {}
         }
         self.edge0_before = inputs_.part;
         self.edge1_before = inputs_.end;

@@ -53,7 +53,6 @@ impl Lamp {
             == __LampState::INIT;
         if first_ {
             self.situation = self.situation.with(__LampState::Off);
-            self.edge0_before = inputs_.next;
         }
         let mut now_state_: __LampState = self.situation.state();
         self.situation = __LampStateMark::of(now_state_);
@@ -181,18 +180,10 @@ impl Lamp {
         };
         Result::Ok({
             let mut outputs_ = LampOutputs { lamp: false };
-            let first_: bool = self.situation.state()
-                == __LampState::INIT;
-            let mut edge0_now_: bool = inputs_.next;
+            let edge0_now_: bool = inputs_.next;
             self.situation = self.situation.with(forced0_);
             self.edge0_before = edge0_now_;
-            let mut evolutions_: u32 = 0;
-            evolutions_ = evolutions_.wrapping_add(1);
             let was_state_: __LampState = self.situation.state();
-            edge0_now_ = inputs_.next;
-            if first_ && evolutions_ == 0 {
-                self.edge0_before = edge0_now_;
-            }
             self.situation = self.situation.unmarked();
             let next_lamp_: bool = was_state_ == __LampState::On
                 || was_state_ == __LampState::Bright;

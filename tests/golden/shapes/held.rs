@@ -40,6 +40,7 @@ impl Plant {
         };
         let inputs_ = core::hint::black_box(inputs_);
         loop {
+            fence_on_armv6m();
             let mut moves_36__: bool = false;
             let was_state_m0__: __PlantRegion1 = self.region_1;
             let mut goes_37__: bool = false;

@@ -42,7 +42,6 @@ impl Cell {
         let first_: bool = self.region_0 == __CellRegion0::INIT;
         if first_ {
             self.region_0 = __CellRegion0::Idle;
-            self.edge0_before = inputs_.ack;
         }
         let inputs_ = core::hint::black_box(inputs_);
         loop {

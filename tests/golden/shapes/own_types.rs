@@ -46,9 +46,6 @@ impl Reader {
             shown: default_value::<Code>(),
         };
         let edge0_now_: bool = inputs_.there;
-        if self.first {
-            self.edge0_before = edge0_now_;
-        }
         let mut was_state_: __ReaderState = __ReaderState::Always;
         let mut evolutions_: u32 = 0;
         loop {
@@ -82,7 +79,6 @@ impl Reader {
         if !self.situation.is_marked() {
             self.edge0_before = edge0_now_;
         }
-        self.first = false;
         outputs_.last = self.last;
         outputs_
     }

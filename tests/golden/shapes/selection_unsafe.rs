@@ -32,11 +32,10 @@ impl Gate {
         let first_: bool = self.region_0 == __GateRegion0::INIT;
         if first_ {
             self.region_0 = __GateRegion0::Rest;
-            self.edge0_before = inputs_.open;
-            self.edge1_before = inputs_.close;
         }
         let inputs_ = core::hint::black_box(inputs_);
         loop {
+            fence_on_armv6m();
             let was_state_rest_: __GateRegion0 = self.region_0;
             let was_state_raise_: __GateRegion1 = self.region_1;
             let was_state_lower_: __GateRegion2 = self.region_2;
@@ -159,26 +158,15 @@ impl Gate {
                     down: false,
                 }
             };
-            let first_: bool = self.region_0
-                == __GateRegion0::INIT;
-            let mut edge0_now_: bool = inputs_.open;
-            let mut edge1_now_: bool = inputs_.close;
+            let edge0_now_: bool = inputs_.open;
+            let edge1_now_: bool = inputs_.close;
             self.region_0 = forced0_;
             self.region_1 = forced1_;
             self.region_2 = forced2_;
             self.edge0_before = edge0_now_;
             self.edge1_before = edge1_now_;
-            let evolutions_: u32 = 1;
             let was_state_raise_: __GateRegion1 = self.region_1;
             let was_state_lower_: __GateRegion2 = self.region_2;
-            edge0_now_ = inputs_.open;
-            if first_ && evolutions_ == 0 {
-                self.edge0_before = edge0_now_;
-            }
-            edge1_now_ = inputs_.close;
-            if first_ && evolutions_ == 0 {
-                self.edge1_before = edge1_now_;
-            }
             let next_up_: bool = was_state_raise_
                 == __GateRegion1::Raise;
             let next_down_: bool = was_state_lower_

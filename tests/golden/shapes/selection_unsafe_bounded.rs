@@ -36,6 +36,7 @@ impl Float {
         let inputs_ = core::hint::black_box(inputs_);
         let mut evolutions_: u32 = 0;
         loop {
+            fence_on_armv6m();
             let was_state_rest_: __FloatRegion0 = self.region_0;
             let was_state_fill_: __FloatRegion1 = self.region_1;
             let was_state_drain_: __FloatRegion2 = self.region_2;

@@ -3,29 +3,38 @@
 //! Each evolution needs something that clears, and that an evolution before could not. Where conditions look at inputs alone, it was not enabled: one clearing leads to the next, on a
 //! way on which no transition stands twice. Where they look at steps and values it may have waited for something that has nothing to do with it, so all clearings count.
 
-use super::once::clears_once;
+use super::once::{Events, clears_once};
 use super::successors::Successors;
 use super::{Candidates, circles, is_constant_read};
 use crate::analysis::Concurrency;
 use crate::analysis::edges::is_edge_of_inputs;
 use crate::list::List;
-use crate::model::{Id, Model, PartialId, Qualifier, StepId, TransitionId};
+use crate::model::{Id, Model, PartialId, StepId, TransitionId};
 use crate::sorted::Set;
 
 /// Of larger partial grafcets no ways are looked for.
 const LARGE: usize = 200;
 
-/// The evolutions of a search, without what counts take to end circles.
-pub(super) fn evolutions(model: &Model, lengths: Option<&Lengths<'_>>, successors: &mut Successors<'_>) -> Option<u64> {
+/// The evolutions of a search in which `counted` are what counts take to end circles.
+pub(super) fn evolutions(
+    (model, lengths): (&Model, Option<&Lengths<'_>>),
+    successors: &mut Successors<'_>,
+    (counted, events): (u64, Events),
+) -> Option<u64> {
     let varies = |id: TransitionId| {
         let reads = &model.transitions[id].condition.reads;
         reads.iter().any(|read| !is_constant_read(read) && !is_edge_of_inputs(model, read))
     };
-    if model.transitions.ids().any(varies) {
-        return lengths.map(|lengths| lengths.evolutions(successors));
+    if !model.transitions.ids().any(varies) {
+        // What the first evolution alone sees, and a look at events: nothing waits for what these store.
+        return counted.checked_add(model.steps.len() as u64 + 2);
     }
-    // What the first evolution alone sees, and a look at events.
-    Some(model.steps.len() as u64 + 2)
+    let clearings = counted.checked_add(lengths?.evolutions(successors))?;
+    match events {
+        Events::None => Some(clearings),
+        Events::First => clearings.checked_add(1),
+        Events::AfterClearings => clearings.checked_mul(2)?.checked_add(1),
+    }
 }
 
 /// How often things happen in one search.
@@ -91,10 +100,9 @@ impl<'s> Lengths<'s> {
         all
     }
 
-    /// The evolutions of a search, without what counts take to end circles.
+    /// The evolutions of a search in which something clears, without what counts take to end circles.
     fn evolutions(&self, successors: &mut Successors<'_>) -> u64 {
-        let events = u64::from(self.model.associations.values().any(|one| one.qualifier == Qualifier::On));
-        events + self.model.partials.ids().map(|partial| self.of_partial(successors, partial)).sum::<u64>()
+        self.model.partials.ids().map(|partial| self.of_partial(successors, partial)).sum()
     }
 
     /// The evolutions in which something of a partial grafcet clears.

@@ -16,7 +16,7 @@ use self::successors::Successors;
 use super::Concurrency;
 use super::edges::is_edge_of_inputs;
 use crate::list::List;
-use crate::model::{Id, Model, Name, Qualifier, Read, StepId, Transition, TransitionId};
+use crate::model::{Id, Model, Name, Read, StepId, Transition, TransitionId};
 use crate::sorted::Set;
 
 /// So many circles are looked at, each with one choice between transitions that exclude each other, before nothing is claimed.
@@ -60,12 +60,11 @@ impl Stability {
     /// Looks at the circles of a chart.
     #[must_use]
     pub fn of(model: &Model, concurrency: &Concurrency) -> Self {
-        // An event that comes in the first evolution alone keeps no search from its end, but makes one more look necessary.
-        let events = model.associations.values().filter(|one| one.qualifier == Qualifier::On).list();
-        let has_events = !events.is_empty();
-        if !events.iter().all(|one| once::happens_once(model, one)) || is_refilled(model) {
+        // An event that needs inputs or clearings to change keeps no search from its end, but makes more looks necessary.
+        let Some(events) = once::events(model).filter(|_| !is_refilled(model)) else {
             return Self { is_certain: false, longest: None, at_once: false, ends: Ends::default() };
-        }
+        };
+        let has_events = events != once::Events::None;
         let mut successors = Successors::new(model);
         let all: Candidates = model.transitions.ids().collect();
         let has_no_circle = !has_events
@@ -81,8 +80,8 @@ impl Stability {
             let (lengths, successors) = (lengths.as_ref(), &mut successors);
             Turning { model, concurrency, lengths, successors, looked_at: 0 }.end(again, &all)
         };
-        let evolutions = length::evolutions(model, lengths.as_ref(), &mut successors);
-        let longest = counted.zip(evolutions).and_then(|(counted, others)| counted.checked_add(others));
+        let longest = counted
+            .and_then(|counted| length::evolutions((model, lengths.as_ref()), &mut successors, (counted, events)));
         let ends = if has_events { Ends::default() } else { search_ends(model, &mut successors) };
         Self { is_certain: counted.is_some(), longest, at_once, ends }
     }

@@ -1,10 +1,14 @@
-//! What happens once in a cycle at most: transitions that clear, events.
+//! What happens once in a cycle at most, or as often as something clears: transitions, events.
 
+use super::is_constant_read;
 use crate::analysis::Concurrency;
-use crate::analysis::edges::is_edge_of_inputs;
+use crate::analysis::edges::{is_edge_of, is_edge_of_inputs};
+use crate::ast::Dialect;
 use crate::model::{
-    Association, Binary, Blink, Blinker, Model, Read, StepId, TimeRef, Transition, TransitionId, Tree, Unary,
+    Association, Binary, Blink, Blinker, Model, Name, Place, Qualifier, Read, StepId, TimeRef, Transition,
+    TransitionId, Tree, Unary,
 };
+use crate::qualifier::Trigger;
 
 /// Whether a transition asks for an edge of inputs, which only the first evolution of a cycle sees (A2), or for a time of its
 /// own source step, which begins anew with the step (A23).
@@ -23,10 +27,47 @@ pub(super) fn clears_once(model: &Model, concurrency: &Concurrency, id: Transiti
     })
 }
 
-/// Whether the event of an action is an edge of inputs.
-pub(super) fn happens_once(model: &Model, association: &Association) -> bool {
-    let is_edge = |tree: &Tree| matches!(tree, Tree::Read(read) if is_edge_of_inputs(model, read));
-    association.event.as_ref().is_some_and(|event| asks(&event.tree, &is_edge))
+/// How often the events of actions can happen in a search.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Events {
+    None,
+    /// In the first evolution alone: edges of inputs.
+    First,
+    /// There, and after each evolution in which something clears: edges of steps, and of what is stored where steps are entered and left.
+    AfterClearings,
+}
+
+/// `None` where events may follow each other without anything that clears.
+pub(super) fn events(model: &Model) -> Option<Events> {
+    let mut found = Events::None;
+    for association in model.associations.values().filter(|one| one.qualifier == Qualifier::On) {
+        let holds_with = |is_edge: &dyn Fn(&Read) -> bool| {
+            let is_edge = |tree: &Tree| matches!(tree, Tree::Read(read) if is_edge(read));
+            association.event.as_ref().is_some_and(|event| asks(&event.tree, &is_edge))
+        };
+        if holds_with(&|read| is_edge_of_inputs(model, read)) {
+            found = if found == Events::None { Events::First } else { found };
+        } else if holds_with(&|read| is_edge_of(model, read, &|of| changes_with_clearings(model, of))) {
+            found = Events::AfterClearings;
+        } else {
+            return None;
+        }
+    }
+    Some(found)
+}
+
+/// Whether within a search a read changes in evolutions in which something clears, if at all.
+fn changes_with_clearings(model: &Model, read: &Read) -> bool {
+    let place = match read {
+        Read::Active(_) | Read::MacroActive(_) => return true,
+        Read::Name(Name::Var(id)) => Place::Var(*id),
+        Read::Name(Name::Output(id)) => Place::Output(*id),
+        read => return is_constant_read(read),
+    };
+    let with_steps = |one: &Association| {
+        matches!(one.qualifier.trigger(Dialect::Grafcet), Trigger::Activation | Trigger::Deactivation)
+    };
+    model.associations.values().all(|one| with_steps(one) || !one.effect.writes().contains(&place))
 }
 
 /// Whether the condition holds only where one of these does.

@@ -1,8 +1,12 @@
 //! At which times of a step or macro-step something changes: what expressions and qualifiers compare with.
 
-use super::control::limits_by_step;
+use super::control::{What, what};
 use crate::list::List;
-use crate::model::{AssociationId, Binary, Blinker, Effect, Expr as Written, Model, Name, Read, TimeRef, Tree};
+use crate::model::{
+    Association, AssociationId, Binary, Blinker, Effect, Expr as Written, Id, Model, Name, Read, StepId, TimeRef,
+    TransitionId, Tree,
+};
+use crate::program::{RegionId, Regions};
 use crate::sorted::Set;
 
 /// At which times of a step or macro-step something changes.
@@ -21,7 +25,7 @@ pub(super) enum Change {
 pub(super) type Changes = Set<(Blinker, Change)>;
 
 /// Every time that an expression or a qualifier looks at.
-pub(super) fn changes(model: &Model) -> Changes {
+pub(super) fn changes(model: &Model, regions: &Regions) -> Changes {
     let mut found = Set::new();
     for transition in model.transitions.values() {
         of_tree(&transition.condition.tree, &mut found);
@@ -30,7 +34,7 @@ pub(super) fn changes(model: &Model) -> Changes {
     for (id, association) in model.associations.iter() {
         association.condition.iter().and(&association.event).for_each(|one| of_tree(&one.tree, &mut found));
         of_effect(&association.effect, &mut found);
-        if let Some(time) = association.time.filter(|_| is_time_of_step(model, id)) {
+        if let Some(time) = association.time.filter(|_| is_time_of_step(model, regions, id)) {
             found.insert((Blinker::Step(association.step), Change::At(time)));
         }
     }
@@ -42,11 +46,44 @@ pub(super) fn changes(model: &Model) -> Changes {
 
 /// Whether what limits or delays an action is the time of its step: in a `grafcet` always (A32), in an `sfc` where its timer would say the
 /// same.
-pub(super) fn is_time_of_step(model: &Model, id: AssociationId) -> bool {
+pub(super) fn is_time_of_step(model: &Model, regions: &Regions, id: AssociationId) -> bool {
     if model.is_grafcet() {
         return model.associations[id].qualifier.has_time();
     }
-    limits_by_step(model, id)
+    limits_by_step(model, regions, id)
+}
+
+/// Whether the timer of an association says what the time of its step says: its input is true whenever the step is active, and where it is that of other
+/// steps, too, it falls between them.
+pub(super) fn limits_by_step(model: &Model, regions: &Regions, id: AssociationId) -> bool {
+    let association = &model.associations[id];
+    let (qualifier, target) = (association.qualifier, what(association));
+    let shares =
+        |another: &&Association| another.qualifier == qualifier && target != What::Own && what(another) == target;
+    if !qualifier.restarts_with_step() || association.condition.is_some() {
+        return false;
+    }
+    let sharing = model.associations.values().filter(shares).list();
+    let steps: Set<StepId> = sharing.iter().map(|one| one.step).collect();
+    sharing.len() < 2
+        || sharing.len() == steps.len()
+            && sharing.iter().all(|one| one.condition.is_none())
+            && are_apart(model, regions, &steps)
+}
+
+/// Whether none of these steps is active beside another one or directly after it, as steps of one region of which each is entered from within it.
+fn are_apart(model: &Model, regions: &Regions, steps: &Set<StepId>) -> bool {
+    let mut own: Set<RegionId> = Set::new();
+    own.extend(steps.iter().map(|step| regions.of_step(*step)));
+    let is_own = |step: &StepId| own.contains(&regions.of_step(*step));
+    let comes_between = |id: &TransitionId| {
+        let transition = &model.transitions[*id];
+        let leads = |from: &StepId| steps.contains(from) && !transition.targets.contains(from);
+        transition.sources.iter().any(is_own) && !transition.sources.iter().any(leads)
+    };
+    own.len() == 1
+        && !model.forceable
+        && steps.iter().all(|step| model.entering[step.index()].iter().all(comes_between))
 }
 
 fn of_effect(effect: &Effect, found: &mut Changes) {

@@ -79,7 +79,7 @@ impl<'m> Lower<'_, 'm> {
         if model.effects().iter().any(opaque) {
             self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));
         }
-        let changes = changes(model);
+        let changes = changes(model, self.regions);
         let by_periods = self.by_periods(&changes);
         for read in asked {
             match read {
@@ -90,7 +90,7 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         for (id, association) in model.associations.iter() {
-            if association.time.is_some() && is_time_of_step(model, id) {
+            if association.time.is_some() && is_time_of_step(model, self.regions, id) {
                 self.count(association.step, &changes);
             }
         }
@@ -117,7 +117,7 @@ impl<'m> Lower<'_, 'm> {
         let model = self.model;
         let counted = |clock: &Clock| matches!(clock, Clock::Counted(_));
         let has_timer = |(id, association): (crate::model::AssociationId, &crate::model::Association)| {
-            association.time.is_some() && !is_time_of_step(model, id)
+            association.time.is_some() && !is_time_of_step(model, self.regions, id)
         };
         self.time.iter().and(&self.macro_time).flatten().any(counted)
             || !self.phases.is_empty()

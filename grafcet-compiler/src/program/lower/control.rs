@@ -10,11 +10,10 @@
 //! ```
 
 use super::Lower;
+use super::changes::limits_by_step;
 use super::view::Moment;
 use crate::list::{List, PushAll};
-use crate::model::{
-    ActionId, Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, TimeRef, Trigger,
-};
+use crate::model::{ActionId, Association, AssociationId, Dialect, Effect, Id, Place, Qualifier, TimeRef, Trigger};
 use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
 use crate::raw::plain;
@@ -220,12 +219,18 @@ impl<'m> Lower<'_, 'm> {
         input: Expr<'m>,
         body: &mut Vec<Statement<'m>>,
     ) -> Expr<'m> {
-        if let [id] = self.under(target, qualifier)[..] {
-            if limits_by_step(self.model, id) {
-                let association = &self.model.associations[id];
+        let under = self.under(target, qualifier);
+        if under.iter().all(|id| limits_by_step(self.model, self.regions, *id)) {
+            let is_over = |id: &AssociationId| {
+                let association = &self.model.associations[*id];
                 let time = association.time.map_or_else(zero, |time| self.time_of(time));
-                return all(vec![input, at_least(self.since_active(association.step, Moment::After), time)]);
+                at_least(self.since_active(association.step, Moment::After), time)
+            };
+            if let [id] = &under[..] {
+                return all(vec![input, is_over(id)]);
             }
+            let by_step = |id: &AssociationId| all(vec![Expr::Place(flags[id.index()]), is_over(id)]);
+            return any(under.iter().map(by_step).list());
         }
         let (first, name) = (target.associations[0], format!("{qualifier:?}_TMR.{}", target.name));
         let (no_time, off) = (Initial::Value(Value::Ticks(0)), Initial::Value(Value::Bool(false)));
@@ -365,18 +370,8 @@ impl<'m> Lower<'_, 'm> {
     }
 }
 
-/// Whether the timer of an association says what the time of its step says: its input is true whenever the step is active, and no other's.
-pub(super) fn limits_by_step(model: &Model, id: AssociationId) -> bool {
-    let association = &model.associations[id];
-    let (qualifier, target) = (association.qualifier, what(association));
-    let shares = |(other, another): (AssociationId, &Association)| {
-        other != id && another.qualifier == qualifier && target != What::Own && what(another) == target
-    };
-    qualifier.restarts_with_step() && association.condition.is_none() && !model.associations.iter().any(shares)
-}
-
 /// An output assigned after another qualifier than N is written, not assigned in the sense of A35.
-fn what(association: &Association) -> What {
+pub(super) fn what(association: &Association) -> What {
     match &association.effect {
         Effect::Control(place) => What::Place(*place),
         Effect::Assign(place @ Place::Output(_), _) if association.qualifier == Qualifier::N => What::Place(*place),

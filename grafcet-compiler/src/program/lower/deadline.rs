@@ -18,7 +18,7 @@ impl<'m> Lower<'_, 'm> {
         let settled = self.settled?;
         let mut waits = Vec::new();
         let reading = self.reading?;
-        for (of, change) in &changes(self.model) {
+        for (of, change) in &changes(self.model, self.regions) {
             self.wait(*of, *change, &mut waits);
         }
         let only_readings = !self.counts_some();

@@ -159,10 +159,9 @@ impl<'m> Lower<'_, 'm> {
     fn settle_search(&self, stable: Option<PlaceId>, kept: &[(PlaceId, PlaceId)]) -> Vec<Statement<'m>> {
         let Some(settled) = self.settled else { return Vec::new() };
         let mut moves = vec![not(stable.map_or_else(yes, Expr::Place)), self.has_edges()];
-        // Otherwise the first search has gone on until nothing more happens, as any other. An input's edge that it does not see (A26) the next one does not see, either.
-        let edges = self.model.edges.values().all(|edge| is_of_inputs(&edge.of));
+        // Otherwise the first search has gone on until nothing more happens, as any other. An edge that it does not see (A26) the next one does not see, either.
         let delays = self.model.delays.values().all(|delay| is_of_inputs(&delay.of));
-        if !(delays && edges && self.model.actions.is_empty()) {
+        if !(delays && self.model.actions.is_empty()) {
             moves.insert(0, Expr::Place(self.first));
         }
         if !delays {

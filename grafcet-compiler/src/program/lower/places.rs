@@ -4,7 +4,7 @@ use super::clocks::Clock;
 use super::{Clocks, Lower, Set};
 use crate::analysis::{Facts, edge_ends};
 use crate::list::List;
-use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
+use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Name, Read, StepId, TransitionId, Ty};
 use crate::program::{Initial, PlaceId, PlaceInfo, Regions, Role, Type, Value};
 use crate::raw::plain;
 use crate::sorted::sort_by_key;
@@ -14,6 +14,17 @@ use crate::sorted::sort_by_key;
 pub(super) struct Edges {
     pub(super) before: PlaceId,
     pub(super) now: PlaceId,
+    pub(super) asked: Asked,
+    /// What it compares with has to be found in the first evolution, in which there is no edge (A26).
+    pub(super) is_hidden: bool,
+}
+
+/// Which edges of an expression are asked for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Asked {
+    Rising,
+    Falling,
+    Both,
 }
 
 /// What a delay remembers.
@@ -190,7 +201,7 @@ impl<'r, 'm> Lower<'r, 'm> {
         }
         for association in model.associations.values() {
             for read in association.reads().concat() {
-                if let Read::Name(crate::model::Name::Output(id)) = read {
+                if let Read::Name(Name::Output(id)) = read {
                     if self.last_outputs[id.index()].is_none() {
                         let (name, output) = (plain(&model.outputs[id].name), self.outputs[id.index()]);
                         self.last_outputs[id.index()] = Some(self.like(format!("last.{name}"), output));
@@ -219,20 +230,31 @@ impl<'r, 'm> Lower<'r, 'm> {
             self.delays.push(delays);
         }
         let (early, late) = self.asked_edges();
+        let reads = model.expressions().concat();
         for id in model.edges.ids() {
             let name = format!("edge{}", id.index());
+            let asked = match (reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id))) {
+                (true, true) => Asked::Both,
+                (true, false) => Asked::Rising,
+                (false, _) => Asked::Falling,
+            };
             if early.contains(&id) {
-                let before = self.field(format!("{name}.before"), Role::Edge(id), Type::Bool, truth(false));
-                let now = self.truth(format!("{name}.now"));
-                self.edges[id.index()] = Some(Edges { before, now });
+                self.edges[id.index()] = Some(self.edge_of(id, &name, asked, Role::Edge(id)));
             }
             if late.contains(&id) {
                 let name = format!("action.{name}");
-                let before = self.field(format!("{name}.before"), Role::ActionEdge(id), Type::Bool, truth(false));
-                let now = self.truth(format!("{name}.now"));
-                self.action_edges[id.index()] = Some(Edges { before, now });
+                self.action_edges[id.index()] = Some(self.edge_of(id, &name, asked, Role::ActionEdge(id)));
             }
         }
+    }
+
+    /// What is true already does not rise: what the field begins with says so. Of steps alone it is known in the first evolution, and asks nothing then.
+    fn edge_of(&mut self, id: EdgeId, name: &str, asked: Asked, role: Role) -> Edges {
+        let is_step = |read: &Read| matches!(read, Read::Active(_) | Read::MacroActive(_));
+        let is_hidden = asked == Asked::Both || self.model.edges[id].of.reads.iter().all(is_step);
+        let begins = truth(asked == Asked::Rising && !is_hidden);
+        let before = self.field(format!("{name}.before"), role, Type::Bool, begins);
+        Edges { before, now: self.truth(format!("{name}.now")), asked, is_hidden }
     }
 
     /// The edges that conditions and delays ask for, and those that the actions of an `sfc` ask for.

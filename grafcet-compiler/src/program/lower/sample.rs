@@ -2,7 +2,7 @@
 
 use super::Lower;
 use super::clocks::Clock;
-use super::places::Delays;
+use super::places::{Asked, Delays, Edges};
 use super::view::Moment;
 use crate::analysis::{EdgeEnd, Gone, combinational};
 use crate::list::{List, PushAll};
@@ -17,6 +17,13 @@ enum Sample {
     Edge(EdgeId),
     Delay(DelayId),
     Combinational(VarId),
+}
+
+/// In the first evolution it compares with itself: there is no edge.
+fn hide<'m>(body: &mut Vec<Statement<'m>>, edges: Edges, first_evolution: &Expr<'m>) {
+    if edges.is_hidden {
+        when(body, first_evolution.clone(), vec![Statement::Set(edges.before, Expr::Place(edges.now))]);
+    }
 }
 
 impl<'m> Lower<'_, 'm> {
@@ -62,7 +69,7 @@ impl<'m> Lower<'_, 'm> {
             let Sample::Edge(id) = sample else { continue };
             let Some(edges) = self.action_edges[id.index()] else { continue };
             body.push(Statement::Set(edges.now, self.user(&self.model.edges[id].of, Moment::After)));
-            when(&mut body, Expr::Place(self.first), vec![Statement::Set(edges.before, Expr::Place(edges.now))]);
+            hide(&mut body, edges, &Expr::Place(self.first));
         }
         body
     }
@@ -82,7 +89,6 @@ impl<'m> Lower<'_, 'm> {
     /// Whether there is an edge of which the end may change something: it is gone in the next cycle.
     pub(super) fn has_edges(&self) -> Expr<'m> {
         let mut found = Vec::new();
-        let reads = self.model.expressions().concat();
         for id in self.model.edges.ids() {
             let EdgeEnd { evolving, acting } = &self.edge_ends[id.index()];
             let gone = if self.model.is_grafcet() {
@@ -94,10 +100,10 @@ impl<'m> Lower<'_, 'm> {
             for (edges, gone) in places.into_iter().zip(gone) {
                 let Some(edges) = edges else { continue };
                 let (before, now) = (Expr::Place(edges.before), Expr::Place(edges.now));
-                let there = match (reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id))) {
-                    (true, true) => differ(edges.before, edges.now),
-                    (true, false) => all(vec![not(before), now]),
-                    (false, _) => all(vec![before, not(now)]),
+                let there = match edges.asked {
+                    Asked::Both => differ(edges.before, edges.now),
+                    Asked::Rising => all(vec![not(before), now]),
+                    Asked::Falling => all(vec![before, not(now)]),
                 };
                 found.push(all(vec![gone, there]));
             }
@@ -153,9 +159,7 @@ impl<'m> Lower<'_, 'm> {
                 Sample::Edge(id) => {
                     let Some(edges) = self.edges[id.index()] else { continue };
                     body.push(Statement::Set(edges.now, self.user(&self.model.edges[id].of, Moment::Before)));
-                    // It compares with itself: there is none.
-                    let none = Statement::Set(edges.before, Expr::Place(edges.now));
-                    when(&mut body, first_evolution.clone(), vec![none]);
+                    hide(&mut body, edges, first_evolution);
                 }
                 Sample::Delay(id) => body.push_all(self.sample_delay(id)),
                 Sample::Combinational(id) => body.push_all(self.combinational(id)),

@@ -12,7 +12,7 @@
 
 use super::super::{Program, Role, Statement};
 use super::edits::blocks_mut;
-use super::split::merged;
+use super::share::merged;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut is_number = Vec::with_capacity(program.places.len());

@@ -1,4 +1,4 @@
-//! What a field is known to hold is not stored in it once more.
+//! What a field is known to hold is not stored in it once more, nor shown by an output that begins with it.
 //!
 //! ```text
 //! match state                                     match state
@@ -33,19 +33,25 @@ pub(super) fn pass(program: &mut Program<'_>) {
         return;
     }
     for region in 0..program.regions.len() {
-        let Some(again) = Anew::of(program, region).and_then(Anew::again) else { continue };
+        let Some(found) = Anew::of(program, region).and_then(Anew::found) else { continue };
         let mut cycle = std::mem::take(&mut program.cycle);
-        sweep(&mut cycle, &again);
+        sweep(&mut cycle, &found);
         without_empty(&mut cycle);
         program.cycle = cycle;
     }
 }
 
-/// Takes away the statements of which it is true that they store what is there.
-fn sweep(statements: &mut Vec<Statement<'_>>, again: &Map<usize, bool>) {
-    let kept: Vec<bool> = statements.iter().map(|one| again.get(&address(one)) != Some(&true)).list();
-    for block in statements.iter_mut().flat_map(blocks_mut) {
-        sweep(block, again);
+/// Takes away the statements that store what is there; of others what they store is told.
+fn sweep(statements: &mut Vec<Statement<'_>>, found: &Map<usize, Stored>) {
+    let stored: Vec<Option<&Stored>> = statements.iter().map(|one| found.get(&address(one))).list();
+    let kept: Vec<bool> = stored.iter().map(|one| one.is_none_or(|one| !one.is_there)).list();
+    for (statement, stored) in statements.iter_mut().zip(stored) {
+        if let (Statement::Set(_, value), Some(Stored { value: Some(known), .. })) = (&mut *statement, stored) {
+            *value = Expr::Value(*known);
+        }
+        for block in blocks_mut(statement) {
+            sweep(block, found);
+        }
     }
     let mut kept = kept.into_iter();
     statements.retain(|_| kept.next().unwrap_or(true));
@@ -54,6 +60,13 @@ fn sweep(statements: &mut Vec<Statement<'_>>, again: &Map<usize, bool>) {
 /// Which statement of a cycle it is.
 fn address(statement: &Statement<'_>) -> usize {
     std::ptr::from_ref(statement).addr()
+}
+
+/// What a statement stores, on each way.
+struct Stored {
+    is_there: bool,
+    /// `None` where it is not known, or not the same.
+    value: Option<Value>,
 }
 
 /// What is known somewhere in a cycle.
@@ -95,9 +108,10 @@ struct Anew<'p, 'm> {
     program: &'p Program<'m>,
     region: usize,
     state: PlaceId,
+    /// And outputs that show fields, which begin anew in each cycle.
     fields: Vec<PlaceId>,
-    /// By statement that stores a constant, whether that has been there on each way. Empty until all is known.
-    again: RefCell<Map<usize, bool>>,
+    /// By statement that stores a constant or a field. Empty until all is known.
+    found: RefCell<Map<usize, Stored>>,
     is_noted: Cell<bool>,
     /// What leaves each loop around.
     left: RefCell<Vec<Vec<Reached>>>,
@@ -109,26 +123,40 @@ impl<'p, 'm> Anew<'p, 'm> {
         let state = program.place(Role::State(region))?;
         let mut fields = Vec::new();
         for (index, place) in program.places.iter().enumerate() {
-            if place.is_field
-                && is_own(place.role)
-                && has(&program.cycle, &|one| matches!(one, Statement::Set(to, Expr::Value(_)) if to.0 == index))
-            {
+            let is_stored = |one: &Statement<'_>| matches!(one, Statement::Set(to, Expr::Value(_)) if to.0 == index);
+            let is_shown = |one: &Statement<'_>| matches!(one, Statement::Set(to, Expr::Place(_)) if to.0 == index);
+            let is_asked = match place.role {
+                Role::Output(_) if !place.is_field => has(&program.cycle, &is_shown),
+                role => place.is_field && is_own(role) && has(&program.cycle, &is_stored),
+            };
+            if is_asked {
                 fields.push(PlaceId(index));
             }
         }
-        let (again, left) = (RefCell::default(), RefCell::default());
+        let (found, left) = (RefCell::default(), RefCell::default());
         let (is_noted, effort) = (Cell::new(false), Cell::new(EFFORT));
-        (!fields.is_empty()).then_some(Self { program, region, state, fields, again, is_noted, left, effort })
+        (!fields.is_empty()).then_some(Self { program, region, state, fields, found, is_noted, left, effort })
     }
 
-    /// Which statements store what is there, if that can be found out.
-    fn again(self) -> Option<Map<usize, bool>> {
+    /// What is known when a cycle begins, of what was known when the last one ended.
+    fn begun(&self, mut way: Reached) -> Reached {
+        for (field, holds) in self.fields.iter().zip(&mut way.holds) {
+            let place = &self.program.places[field.0];
+            if !place.is_field {
+                *holds = initial(place);
+            }
+        }
+        way
+    }
+
+    /// What the statements store, if that can be found out.
+    fn found(self) -> Option<Map<usize, Stored>> {
         let Initial::Value(begins) = self.program.places[self.state.0].initial else { return None };
         let holds = self.fields.iter().map(|field| initial(&self.program.places[field.0])).list();
         let mut all = vec![Reached { states: vec![(self.state, begins)], holds }];
         let mut open = vec![0];
         while let Some(at) = open.pop() {
-            for end in self.block(&self.program.cycle, vec![all[at].clone()])? {
+            for end in self.block(&self.program.cycle, vec![self.begun(all[at].clone())])? {
                 let state = end.state(self.state)?;
                 match all.iter().position(|way| way.state(self.state) == Some(state)) {
                     Some(at) => {
@@ -145,9 +173,9 @@ impl<'p, 'm> Anew<'p, 'm> {
         }
         self.is_noted.set(true);
         for way in all {
-            self.block(&self.program.cycle, vec![way])?;
+            self.block(&self.program.cycle, vec![self.begun(way)])?;
         }
-        Some(self.again.take())
+        Some(self.found.take())
     }
 
     /// None where the state of the region is not known after it, or it takes too long.
@@ -201,10 +229,15 @@ impl<'p, 'm> Anew<'p, 'm> {
             _ => None,
         };
         if let Some(at) = self.fields.iter().position(|field| *field == place) {
-            if self.is_noted.get() && matches!(value, Expr::Value(_)) {
-                let is_there = known == way.holds[at];
-                let mut again = self.again.borrow_mut();
-                *again.or_insert_with(address(statement), || true) &= is_there;
+            // A number of the user has a type, which it would lose.
+            let is_user = matches!(self.program.places[place.0].ty, Type::User(_));
+            let is_noted = matches!(value, Expr::Value(_)) || matches!(value, Expr::Place(_)) && !is_user;
+            if self.is_noted.get() && is_noted {
+                let is_there = known.is_some() && known == way.holds[at];
+                let mut found = self.found.borrow_mut();
+                let stored = found.or_insert_with(address(statement), || Stored { is_there: true, value: known });
+                stored.is_there &= is_there;
+                stored.value = stored.value.filter(|value| known == Some(*value));
             }
             way.holds[at] = known;
         } else if matches!(self.program.places[place.0].ty, Type::State(region) if region == self.region) {

@@ -221,6 +221,14 @@ impl Region {
                 then.retain(|one| !self.begins_here(one, None));
             }
         }
+        if let (Statement::Match(_, arms, _), Some(_)) = (&mut *statement, begin) {
+            for (values, body) in arms {
+                let is_first = values.iter().all(|value| matches!(value, Value::Start(_)));
+                if is_first && !is_written_in(body, self.state) {
+                    body.retain(|one| !self.begins_here(one, None));
+                }
+            }
+        }
         let blocks = blocks_mut(statement);
         if blocks.is_empty() {
             return writes_to(statement, self.state);

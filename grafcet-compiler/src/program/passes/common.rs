@@ -24,7 +24,7 @@ use super::super::{Arm, Comparison, Expr, PlaceId, Program, Statement, Value};
 use super::edits::blocks_mut;
 use super::many::{groups, sum_of, sum_of_block};
 use super::once::size;
-use super::split::merged;
+use super::share::merged;
 use super::uses::{is_plain, is_pure, is_written_in, same, same_block};
 use crate::model::StepId;
 use crate::sorted::sort;
@@ -36,7 +36,7 @@ const ARMS: usize = 4;
 const GAIN: usize = 12;
 
 /// In front of a match in a search, where each evolution asks it.
-const GAIN_IN_SEARCH: usize = 24;
+const GAIN_IN_SEARCH: usize = 12;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut compared = Vec::new();

@@ -3,7 +3,7 @@
 mod facts;
 mod tree;
 
-pub(super) use facts::{Among, Copies, Excluding, Fact, beginning};
+pub(super) use facts::{Among, Copies, Excluding, Fact, beginning, meet};
 pub(super) use tree::{End, Leaf, Lost, Tree};
 
 use super::super::{Expr, PlaceId, PlaceInfo, Run, Statement, Type, Value};
@@ -312,7 +312,7 @@ impl<'e, 'm> Engine<'e, 'm> {
         match statement {
             Statement::Part(_, body) => self.block(body, out),
             Statement::Set(place, value) => {
-                let value = self.fold(value);
+                let value = self.counted(*place, value).unwrap_or_else(|| self.fold(value));
                 self.set(*place, value, out);
             }
             Statement::If(condition, then, otherwise) => match self.fold(condition) {
@@ -351,6 +351,15 @@ impl<'e, 'm> Engine<'e, 'm> {
             }
             Statement::Break | Statement::Mark(_) | Statement::Fence(_) => out.push(statement.clone()),
         }
+    }
+
+    /// A time counts on from its field also where that is known to hold nothing yet: so it does in other states, with which this one has the statement in common.
+    fn counted(&self, place: PlaceId, value: &Expr<'m>) -> Option<Expr<'m>> {
+        let Expr::Add(of, more) = value else { return None };
+        let is_own = matches!(**of, Expr::Place(of) if of == place);
+        let begins = matches!(self.env[place.0], Fact::Is(Value::Ticks(0)));
+        let more = Some(self.fold(more)).filter(|more| is_own && begins && !matches!(more, Expr::Value(_)))?;
+        Some(Expr::Add(of.clone(), Box::new(more)))
     }
 
     /// What may be written, or not, has to hold what it was taken for.

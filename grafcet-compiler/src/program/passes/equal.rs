@@ -21,7 +21,7 @@ use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Value}
 use super::engine::Among;
 use super::fold::Known;
 use super::nested::states;
-use super::split::merged;
+use super::share::merged;
 use super::uses::{each_written, same};
 use crate::list::List;
 use crate::model::{Id, StepId};

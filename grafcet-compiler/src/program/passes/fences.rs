@@ -19,6 +19,7 @@
 //! - Where each way ends in a state of its own, LLVM leads it to what that state does: each comparison has two jumps more, and what steps have in common stands there for each of them. With a
 //!   fence between a robot's cell of 40 steps takes 1118 bytes on a Cortex-M3 and 33.4 instructions, 1324 and 35.3 without; most others take some per cent less, and two or three
 //!   instructions more.
+//!   Beside a table of next steps it is so where many ways have none of theirs there, as those of watchdogs: a handling unit takes 493 bytes with a fence in front of it, and 567 without.
 //! - After the condition of an emergency stop the inputs that it has looked at would stay in registers, of which ARMv6-M has too few: a kettle with a hopper takes 1020 bytes
 //!   with a fence there, and 1148 without.
 //! - Under `optimize size;` the fences of one region are there on all processors for few steps, too, and where a table tells which step is next, and one in front of the table of a
@@ -32,7 +33,7 @@ use std::cell::Cell;
 use super::super::{Expr, Fence, PlaceId, Program, Role, Statement, Type};
 use super::edits::{rename, replaced, rewrite};
 use super::tables::goes_by_table;
-use super::uses::{each_read, is_written_in};
+use super::uses::{blocks, each_read, is_written_in};
 
 /// With fewer steps the code is smaller where the inputs are found once for all evolutions.
 const FEW: usize = 3;
@@ -42,6 +43,9 @@ const SHORT: usize = 24;
 
 /// From so many steps on, each with ways of its own, it keeps too much in registers, and makes too many jumps.
 const WIDE: usize = 12;
+
+/// Of so many ways beside a table of next steps, each in a state of its own, LLVM leads too many to what that does.
+const WAYS: usize = 8;
 
 /// From so many steps on a jump table of words is worth a fence.
 const LONG: usize = 10;
@@ -62,7 +66,14 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
     let mut cycle = std::mem::take(&mut program.cycle);
     block(program, &mut cycle, None);
+    let copies = cycle.iter().take_while(|one| copies_state(program, one)).count();
+    if copies > 1 {
+        cycle.insert(copies, Statement::Fence(Fence::Armv6m));
+    }
     clock(program, &mut cycle);
+    if let Some(Statement::Loop { body, .. }) = cycle.iter_mut().find(|one| is_search(one)) {
+        evolution(program, body);
+    }
     if let (Some(at), false) = (cycle.iter().position(is_search), program.model.inputs.is_empty()) {
         cycle.insert(at + 1, Statement::Fence(Fence::Memory));
         cycle.insert(at, Statement::Fence(Fence::Inputs));
@@ -107,13 +118,25 @@ fn scan(program: &mut Program<'_>) {
     let (first, last) = (program.cycle.iter().position(is_by_state), program.cycle.iter().rposition(is_by_state));
     let (Some(first), Some(last)) = (first, last) else { return };
     let table = program.cycle.iter().position(goes_on_by_table);
-    let is_wide = table.is_none() && program.regions[0].len() >= WIDE;
+    let is_wide = match table {
+        Some(at) => ends_in(&program.cycle[..at], state) >= WAYS,
+        None => program.regions[0].len() >= WIDE,
+    };
     let fence = Statement::Fence(if is_small || is_wide { Fence::Memory } else { Fence::Armv6m });
     match table {
         Some(at) => program.cycle.insert(at, fence),
         None if first < last => program.cycle.insert(last, fence),
         None => {}
     }
+}
+
+/// How many ways end in a state of their own.
+fn ends_in(statements: &[Statement<'_>], state: PlaceId) -> usize {
+    let ways = |one: &Statement<'_>| match one {
+        Statement::Set(place, Expr::Value(_)) => usize::from(*place == state),
+        other => blocks(other).into_iter().map(|block| ends_in(block, state)).sum(),
+    };
+    statements.iter().map(ways).sum()
 }
 
 /// What the steps of a sequence do asks after its table for the state as it is stored, and so does the table. Where LLVM computes what is next it would else go from each step
@@ -208,6 +231,38 @@ fn from_field(statement: &mut Statement<'_>, state: PlaceId) {
     }
 }
 
+/// In an evolution of several regions whatever is kept to its end, as the situation before it, is in a register beside the new state, and each arm that moves nothing
+/// would copy the one to the other for the next evolution: that finds the state anew.
+fn evolution<'m>(program: &Program<'m>, body: &mut Vec<Statement<'m>>) {
+    let sets = body.iter().take_while(|one| matches!(one, Statement::Set(..))).count();
+    // One local says whether something moves.
+    if sets < 2 {
+        return;
+    }
+    let is_long = first_dispatch(program, &body[sets..]).is_some_and(|steps| steps >= LONG);
+    let fence = match (body[..sets].iter().any(|one| copies_state(program, one)), is_long) {
+        (true, true) => Fence::Memory,
+        (true, false) => Fence::Armv6m,
+        (false, true) => Fence::BeyondArmv6m,
+        (false, false) => return,
+    };
+    body.insert(0, Statement::Fence(fence));
+}
+
+/// How many steps the region has on which the first match is.
+fn first_dispatch(program: &Program<'_>, statements: &[Statement<'_>]) -> Option<usize> {
+    statements.iter().find_map(|statement| match statement {
+        Statement::Match(place, ..) => match program.places[place.0].role {
+            Role::State(region) => Some(program.regions[region].len()),
+            _ => None,
+        },
+        Statement::If(_, then, otherwise) => {
+            first_dispatch(program, otherwise).or_else(|| first_dispatch(program, then))
+        }
+        _ => None,
+    })
+}
+
 /// Whether the state of several regions, which has been asked for, is asked for once more by what may become a jump table.
 fn asks_again(program: &Program<'_>, around: &[PlaceId], statement: &Statement<'_>) -> bool {
     let Statement::Match(place, arms, _) = statement else { return false };
@@ -215,7 +270,6 @@ fn asks_again(program: &Program<'_>, around: &[PlaceId], statement: &Statement<'
     is_united && arms.len() >= TABLE && around.contains(place)
 }
 
-/// In a search, within matches on some places.
 /// Inputs alone decide that a state is entered, as where an `any` leaves parallel branches.
 fn is_stop(program: &Program<'_>, condition: &Expr<'_>, then: &[Statement<'_>]) -> bool {
     let mut asks = false;
@@ -229,10 +283,15 @@ fn dispatches(program: &Program<'_>, statements: &[Statement<'_>]) -> bool {
     statements.iter().any(by_state)
 }
 
+fn copies_state(program: &Program<'_>, statement: &Statement<'_>) -> bool {
+    matches!(statement, Statement::Set(to, Expr::Place(of)) if is_state(program, *of) && !program.places[to.0].is_field)
+}
+
 fn is_state(program: &Program<'_>, place: PlaceId) -> bool {
     matches!(program.places[place.0].role, Role::State(_))
 }
 
+/// In a search, within matches on some places.
 fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, within: Option<&[PlaceId]>) {
     let mut all: Vec<Statement<'m>> = Vec::with_capacity(statements.len());
     let mut neighbours = 0;

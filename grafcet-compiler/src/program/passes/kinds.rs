@@ -14,7 +14,7 @@
 //! an arm of their own.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Statement, Type, Value};
-use super::split::merged;
+use super::share::merged;
 use super::uses::has;
 use crate::list::List;
 use crate::sorted::{Map, Set};

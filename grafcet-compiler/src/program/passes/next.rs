@@ -25,7 +25,7 @@ use super::super::build::{compare, no, not, yes};
 use super::super::{Arm, Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
 use super::edits::blocks_mut;
 use super::many::complete;
-use super::split::merged;
+use super::share::merged;
 use super::store::writes_state;
 use super::uses::{is_pure, is_read_in, is_written_in, same, writes_to};
 use crate::list::List;

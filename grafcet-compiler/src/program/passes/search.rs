@@ -22,12 +22,13 @@ use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, 
 use super::dead::{is_seen, read_after};
 use super::early::Early;
 use super::edits::{remove, replaced, rewrite};
+use super::engine::meet;
 use super::engine::{End, Engine, Excluding, Fact, Lost, Tree, beginning};
 use super::flat::flat;
 use super::live::{Live, Places};
 use super::share;
+use super::share::merged;
 use super::sparse::{Index, States};
-use super::split::{meet, merged};
 use super::told::{self, Told};
 use super::uses::{Effects, is_written_in, writes_to};
 use crate::sorted::Set;

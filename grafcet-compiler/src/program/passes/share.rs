@@ -6,8 +6,9 @@
 //! green = true                                          |
 //! ```
 
-use super::super::Statement;
-use super::uses::{Effects, same_statement};
+use super::super::{Arm, Statement};
+use super::many::{groups, sum_of_block};
+use super::uses::{Effects, same_block, same_statement};
 use crate::list::List;
 use crate::sorted::sort_by_key;
 
@@ -97,4 +98,21 @@ pub(super) fn take_first(list: &mut Vec<Statement<'_>>, statement: &Statement<'_
         list.remove(at);
     }
     place.is_some()
+}
+
+/// Arms that do the same are one.
+pub(super) fn merged(arms: Vec<Arm<'_>>) -> Vec<Arm<'_>> {
+    let mut sums = Vec::with_capacity(arms.len());
+    for (_, body) in &arms {
+        sums.push(sum_of_block(body));
+    }
+    let groups = groups(&sums, &|one, other| same_block(&arms[one].1, &arms[other].1));
+    let mut all: Vec<Arm<'_>> = Vec::new();
+    for ((values, body), group) in arms.into_iter().zip(groups) {
+        match all.get_mut(group) {
+            Some((others, _)) => others.extend(values),
+            None => all.push((values, body)),
+        }
+    }
+    all
 }

@@ -20,13 +20,12 @@
 use super::super::{Arm, Deadline, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::alike;
 use super::dead::read_after;
-use super::engine::{End, Engine, Excluding, Fact, Lost, Tree, beginning};
+use super::engine::{End, Engine, Excluding, Fact, Lost, Tree, beginning, meet};
 use super::flat::{flat, samples_first};
 use super::fold::initial;
 use super::front;
 use super::hoist;
 use super::live::Live;
-use super::many::{groups, sum_of_block};
 use super::moved;
 use super::several::weight;
 use super::share;
@@ -34,7 +33,7 @@ use super::sparse::{Index, States};
 use super::starting;
 use super::tail;
 use super::told;
-use super::uses::{Effects, each_asked, is_read_in, mentions, same_block, writes_to};
+use super::uses::{Effects, each_asked, is_read_in, mentions, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -82,32 +81,51 @@ pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
     let before = program.places.len();
     let Some((list, index, assumed)) = listed(program) else { return };
     let Some(split) = Split::of(program) else { return };
-    let other = outside(program, &split, &list, &index).and_then(|[front, ways, tail]| {
-        let (mut other, mut assumed) = (program.clone(), assumed.clone());
-        for place in &*Effects::of_all(&front).writes {
-            assumed[place.0] = false;
-        }
-        let index = indexed(&other, &ways, &assumed)?;
-        let source = Source { list: &ways, index: &index, assumed: &assumed, front: &front, tail: &tail, unknown: &[] };
-        by_ways(&mut other, &source, options).then_some(other)
-    });
-    if let (Some(other), true) = (&other, split.points.all.len() > TRIED) {
+    let all = beside(program, &split, (&list, &index, &assumed), options, &|_| true);
+    if let (Some(other), true) = (&all, split.points.all.len() > TRIED) {
         *program = other.clone();
         return;
     }
     let is_stored = |place: &PlaceInfo<'_>| matches!(place.role, Role::FlipFlop(..));
-    let lowered = program.places.iter().any(is_stored).then(|| program.clone());
+    let lowered = (all.is_some() || program.places.iter().any(is_stored)).then(|| program.clone());
     let source = Source { list: &list, index: &index, assumed: &assumed, front: &[], tail: &[], unknown: &[] };
     if by_ways(program, &source, options) {
-        if let Some(shorter) = lowered.and_then(|lowered| stored(lowered, program, &source, options)) {
+        if let Some(shorter) = lowered.as_ref().and_then(|lowered| stored(lowered, program, &source, options)) {
             *program = shorter;
         }
     } else {
         program.places.truncate(before);
     }
-    if let Some(other) = other.filter(|other| 4 * hoisted(other) < 3 * hoisted(program)) {
+    let (Some(lowered), Some(all)) = (lowered, all) else { return };
+    let scattered = tail::scattered(&program.places, &program.cycle);
+    let some = beside(&lowered, &split, (&list, &index, &assumed), options, &|place| scattered.contains(&place));
+    // What only a few states do costs instructions in all others.
+    let [ways, some_weight, all_weight] = [Some(&*program), some.as_ref(), Some(&all)].map(|one| one.map(hoisted));
+    let (other, weight) = match (some, some_weight.zip(all_weight)) {
+        (Some(some), Some((weight, all_weight))) if 10 * weight <= 11 * all_weight => (some, Some(weight)),
+        _ => (all, all_weight),
+    };
+    if weight.zip(ways).is_some_and(|(weight, ways)| 10 * weight < 9 * ways) {
         *program = other;
     }
+}
+
+/// The cycle with what may stand outside of its ways, and of the times of actions only these.
+fn beside<'m>(
+    program: &Program<'m>,
+    split: &Split,
+    (list, index, assumed): (&[Statement<'m>], &Index, &[bool]),
+    options: &Options,
+    runs: &dyn Fn(PlaceId) -> bool,
+) -> Option<Program<'m>> {
+    let [front, ways, tail] = outside(program, split, (list, index), runs)?;
+    let (mut other, mut assumed) = (program.clone(), assumed.to_vec());
+    for place in &*Effects::of_all(&front).writes {
+        assumed[place.0] = false;
+    }
+    let index = indexed(&other, &ways, &assumed)?;
+    let source = Source { list: &ways, index: &index, assumed: &assumed, front: &front, tail: &tail, unknown: &[] };
+    by_ways(&mut other, &source, options).then_some(other)
 }
 
 /// How much is left where what all arms do first is done once.
@@ -121,11 +139,11 @@ fn hoisted(program: &Program<'_>) -> usize {
 fn outside<'m>(
     program: &Program<'m>,
     split: &Split,
-    list: &[Statement<'m>],
-    index: &Index,
+    (list, index): (&[Statement<'m>], &Index),
+    runs: &dyn Fn(PlaceId) -> bool,
 ) -> Option<[Vec<Statement<'m>>; 3]> {
     let is_front = front::front(list, index, &[split.state, split.first]);
-    let is_tail = tail::tail(&program.places, list, index, split.points.all.len());
+    let is_tail = tail::tail((&program.places, list), index, split.points.all.len(), runs);
     let mut parts = [Vec::new(), Vec::new(), Vec::new()];
     for (statement, (is_front, is_tail)) in list.iter().zip(is_front.iter().zip(&is_tail)) {
         parts[if *is_front { 0 } else { 1 + usize::from(*is_tail) }].push(statement.clone());
@@ -136,12 +154,12 @@ fn outside<'m>(
 /// Stored outputs that not all states tell stay fields: what they hold is copied once in each cycle, and states that know it do not write it anew. Where that makes the cycle much longer, `known`
 /// is better.
 fn stored<'m>(
-    mut lowered: Program<'m>,
+    lowered: &Program<'m>,
     known: &Program<'m>,
     source: &Source<'_, 'm>,
     options: &Options,
 ) -> Option<Program<'m>> {
-    let mut unknown = Vec::new();
+    let (mut lowered, mut unknown) = (lowered.clone(), Vec::new());
     for (index, place) in lowered.places.iter().enumerate() {
         if matches!(place.role, Role::FlipFlop(..)) && is_read_in(&known.cycle, PlaceId(index)) {
             unknown.push(PlaceId(index));
@@ -310,7 +328,7 @@ impl Split {
         cycle.extend(after);
         acts.retain(|(_, body)| !body.is_empty());
         if !acts.is_empty() {
-            cycle.push(Statement::Match(self.state, merged(acts), Vec::new()));
+            cycle.push(Statement::Match(self.state, share::merged(acts), Vec::new()));
         }
         cycle.extend(rest);
         cycle.extend(source.tail.iter().cloned());
@@ -371,37 +389,4 @@ pub(super) fn collect<'t, 'm>(tree: &'t mut Tree<'m>, points: &States, leaves: &
         }
         End::Fork(_, ways) => ways.iter_mut().for_each(|way| collect(way, points, leaves)),
     }
-}
-
-/// Arms that do the same are one.
-pub(super) fn merged(arms: Vec<Arm<'_>>) -> Vec<Arm<'_>> {
-    let mut sums = Vec::with_capacity(arms.len());
-    for (_, body) in &arms {
-        sums.push(sum_of_block(body));
-    }
-    let groups = groups(&sums, &|one, other| same_block(&arms[one].1, &arms[other].1));
-    let mut all: Vec<Arm<'_>> = Vec::new();
-    for ((values, body), group) in arms.into_iter().zip(groups) {
-        match all.get_mut(group) {
-            Some((others, _)) => others.extend(values),
-            None => all.push((values, body)),
-        }
-    }
-    all
-}
-
-/// What is known on both of two ways. Whether that is less than before.
-pub(super) fn meet(known: &mut Option<Vec<Fact>>, facts: Vec<Fact>) -> bool {
-    let Some(known) = known else {
-        *known = Some(facts);
-        return true;
-    };
-    let mut less = false;
-    for (one, other) in known.iter_mut().zip(facts) {
-        if *one != other && *one != Fact::Nothing {
-            *one = Fact::Nothing;
-            less = true;
-        }
-    }
-    less
 }

@@ -16,8 +16,10 @@
 
 use super::super::build::{all, compare, not, yes};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Value, Wait};
+use super::dead::read_after;
 use super::edits::{replaced, unset};
 use super::fold::initial;
+use super::live::Live;
 use super::uses::{Effects, blocks, each_read, is_read_in, mentions, writes_to};
 use crate::model::StepId;
 use crate::sorted::Set;
@@ -39,6 +41,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
         }
     }
     let Some((state, begin)) = found else { return };
+    changed(program, first);
     let ends =
         |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == first);
     let rest = program.cycle.iter().filter(|one| !ends(one));
@@ -69,7 +72,6 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let front = [Statement::Set(first, is_start.clone()), Statement::If(Expr::Place(first), vec![enters], Vec::new())];
     program.cycle.splice(0..0, front);
     as_state(program, state, first, begin);
-    changed(program, first);
     settle(program, &is_start);
     outlasted(program);
 }
@@ -87,17 +89,24 @@ pub(super) fn as_state(program: &mut Program<'_>, state: PlaceId, first: PlaceId
     }
 }
 
-/// What gives a field what it begins with is nothing to do in the first cycle.
+/// What gives a field what it begins with is nothing to do in the first cycle, nor is what that alone has asked for.
 fn changed(program: &mut Program<'_>, first: PlaceId) {
+    let base = read_after(program);
     let mut beginning = Beginning { places: &program.places, written: Set::new() };
-    for statement in &mut program.cycle {
-        if let Statement::If(Expr::Place(place), body, _) = &mut *statement {
+    for at in 0..program.cycle.len() {
+        let (front, rest) = program.cycle.split_at_mut(at + 1);
+        if let Statement::If(Expr::Place(place), body, _) = &mut front[at] {
             if *place == first {
                 beginning.thin(body);
+                let mut live = Live::after(&base);
+                live.sweep(&mut rest.to_vec());
+                live.sweep(body);
             }
         }
-        beginning.written.extend(Effects::of(statement).writes.iter().copied());
+        beginning.written.extend(Effects::of(&front[at]).writes.iter().copied());
     }
+    let does_nothing = |one: &Statement<'_>| matches!(one, Statement::If(Expr::Place(place), then, otherwise) if *place == first && then.is_empty() && otherwise.is_empty());
+    program.cycle.retain(|one| !does_nothing(one));
 }
 
 /// How far a first cycle has come.

@@ -27,7 +27,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 {
         return;
     }
-    unasked(&mut program.cycle);
+    unasked(&mut program.cycle, &mut Vec::new());
     for at in 0..program.cycle.len() {
         if !matches!(program.cycle[at], Statement::Loop { .. }) {
             continue;
@@ -38,10 +38,19 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
 }
 
-/// Does not ask for changes that tell no more than is known, in whichever block that is done.
-fn unasked(block: &mut Vec<Statement<'_>>) {
-    for inner in block.iter_mut().flat_map(blocks_mut) {
-        unasked(inner);
+/// Does not ask for changes that tell no more than is known, in whichever block that is done. `same` are places that hold the same in front of it.
+fn unasked(block: &mut Vec<Statement<'_>>, same: &mut Vec<(PlaceId, PlaceId)>) {
+    let begins = same.clone();
+    for statement in block.iter_mut() {
+        let is_loop = matches!(statement, Statement::Loop { .. });
+        for inner in blocks_mut(statement) {
+            unasked(inner, &mut if is_loop { Vec::new() } else { same.clone() });
+        }
+        let writes = Effects::of(statement).writes;
+        same.retain(|(one, other)| !writes.contains(one) && !writes.contains(other));
+        if let Statement::Set(to, Expr::Place(from)) = statement {
+            same.push((*to, *from));
+        }
     }
     let mut at = 0;
     while at < block.len() {
@@ -49,7 +58,8 @@ fn unasked(block: &mut Vec<Statement<'_>>) {
             let told = |part: &Expr<'_>| match part {
                 Expr::Compare(Comparison::Differs, a, b) => match (&**a, &**b) {
                     (Expr::Place(a), Expr::Place(b)) => {
-                        is_told(&block[..at], moves, *a, *b) || is_told(&block[..at], moves, *b, *a)
+                        let begins = begins.contains(&(*a, *b)) || begins.contains(&(*b, *a));
+                        [(*a, *b), (*b, *a)].iter().any(|places| is_told(&block[..at], begins, moves, *places))
                     }
                     _ => false,
                 },
@@ -69,11 +79,14 @@ fn unasked(block: &mut Vec<Statement<'_>>) {
     }
 }
 
-/// Whether two places have been made the same, only the first has been written since, and each way on which it was says that something moves.
-fn is_told(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, kept: PlaceId) -> bool {
+/// Whether two places have been made the same, here or (`begins`) in front of all this, only the first has been written since, and each way on which it was says that something moves.
+fn is_told(front: &[Statement<'_>], begins: bool, moves: PlaceId, (value, kept): (PlaceId, PlaceId)) -> bool {
     let same = |one: &Statement<'_>| is_copy(one, kept, value) || is_copy(one, value, kept);
-    let Some(copy) = front.iter().rposition(same) else { return false };
-    let rest = &front[copy + 1..];
+    let rest = match front.iter().rposition(same) {
+        Some(copy) => &front[copy + 1..],
+        None if begins => front,
+        None => return false,
+    };
     !is_written_in(rest, kept)
         && each_way(rest, vec![ChangeTold::default()], moves, value)
             .is_some_and(|ways| ways.iter().all(|way| way.says || !way.changes))

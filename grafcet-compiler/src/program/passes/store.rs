@@ -21,7 +21,7 @@ use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Valu
 use super::edits::rename;
 use super::many::complete;
 use super::next;
-use super::split::merged;
+use super::share::merged;
 use super::uses::{Effects, is_written_in, same, sum};
 
 pub(super) fn pass(program: &mut Program<'_>) {

@@ -16,7 +16,7 @@
 //! So runs stored actions (S, SD, SL with more than a boolean), and calls that many associations hold up: as many statements as there are such associations, which each way of each
 //! state would have. What they leave in fields is not followed from state to state.
 
-use super::super::{Expr, PlaceInfo, Role, Statement, Type};
+use super::super::{Expr, PlaceId, PlaceInfo, Role, Statement, Type};
 use super::several::weight;
 use super::sparse::Index;
 use super::uses::{Effects, blocks, mentions};
@@ -29,8 +29,16 @@ const LONG: usize = 16;
 /// and so many in all states.
 const MANY: usize = 150;
 
-/// By statement: whether it stands after the match.
-pub(super) fn tail(places: &[PlaceInfo<'_>], list: &[Statement<'_>], index: &Index, points: usize) -> Vec<bool> {
+/// So many statements of one time are worth to be one.
+const SCATTERED: usize = 4;
+
+/// By statement: whether it stands after the match. `runs` tells of which times of actions.
+pub(super) fn tail(
+    (places, list): (&[PlaceInfo<'_>], &[Statement<'_>]),
+    index: &Index,
+    points: usize,
+    runs: &dyn Fn(PlaceId) -> bool,
+) -> Vec<bool> {
     let mut is_tail = vec![false; list.len()];
     let mut length = 0;
     for at in index.always.iter().copied().filter(|at| *at > index.last) {
@@ -43,7 +51,7 @@ pub(super) fn tail(places: &[PlaceInfo<'_>], list: &[Statement<'_>], index: &Ind
         is_tail.fill(false);
     }
     for at in index.always.iter().copied().filter(|at| *at > index.last) {
-        is_tail[at] |= runs_on(places, &list[at]);
+        is_tail[at] |= runs_on(places, &list[at]).is_some_and(runs);
     }
     if !is_tail.contains(&true) {
         return is_tail;
@@ -72,9 +80,28 @@ pub(super) fn tail(places: &[PlaceInfo<'_>], list: &[Statement<'_>], index: &Ind
 }
 
 /// The time of an action that runs on, whatever step is active.
-fn runs_on(places: &[PlaceInfo<'_>], statement: &Statement<'_>) -> bool {
-    let Statement::Set(place, value @ Expr::Choose(_)) = statement else { return false };
-    places[place.0].is_field && matches!(places[place.0].ty, Type::Ticks) && mentions(value, *place)
+fn runs_on(places: &[PlaceInfo<'_>], statement: &Statement<'_>) -> Option<PlaceId> {
+    let Statement::Set(place, value @ Expr::Choose(_)) = statement else { return None };
+    let is_time = places[place.0].is_field && matches!(places[place.0].ty, Type::Ticks) && mentions(value, *place);
+    is_time.then_some(*place)
+}
+
+/// The times that run on in several states of which each has a statement of its own.
+pub(super) fn scattered(places: &[PlaceInfo<'_>], cycle: &[Statement<'_>]) -> Vec<PlaceId> {
+    let mut counts = vec![0; places.len()];
+    count(places, cycle, &mut counts);
+    places.iter().enumerate().map(|(index, _)| PlaceId(index)).filter(|place| counts[place.0] >= SCATTERED).list()
+}
+
+fn count(places: &[PlaceInfo<'_>], statements: &[Statement<'_>], counts: &mut [usize]) {
+    for statement in statements {
+        if let Some(place) = runs_on(places, statement) {
+            counts[place.0] += 1;
+        }
+        for block in blocks(statement) {
+            count(places, block, counts);
+        }
+    }
 }
 
 /// Whether it runs something of the user's, or sets a variable.

@@ -28,6 +28,7 @@ mod passes;
 mod regions;
 mod shapes;
 mod synchronised;
+mod told;
 mod watched;
 
 #[path = "../../../charts/mod.rs"]

@@ -24,7 +24,7 @@ impl Dyer {
             situation: __DyerState::INIT,
             reading: Ticks::ZERO,
             time: Ticks::ZERO,
-            edge0_before: false,
+            edge0_before: true,
             before_state: __DyerState::Idle,
             params: params_,
         }

@@ -13,7 +13,7 @@ impl Crossing {
             situation: __CrossingState::INIT,
             reading: Ticks::ZERO,
             since: Ticks::ZERO,
-            edge0_before: false,
+            edge0_before: true,
             before_state: __CrossingState::Cars,
         }
     }

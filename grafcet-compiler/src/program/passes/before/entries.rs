@@ -1,9 +1,9 @@
 //! What the ways through a cycle of several regions do with their states and times, all that can be: whether each of them tells rightly whether it has moved.
 
-use super::super::super::{Comparison, Expr, PlaceId, Program, Role, Statement, Type, Value};
+use super::super::super::{Comparison, Expr, PlaceId, Program, Role, Statement, Value};
 use super::super::fold::initial;
-use super::super::uses::{Effects, blocks, each_read};
-use super::{Before, Region};
+use super::super::uses::{Effects, sum};
+use super::gathered::{find_copied, find_gathered};
 use crate::list::List;
 use crate::model::Id;
 use crate::sorted::Set;
@@ -20,12 +20,28 @@ const BITS: usize = 31;
 /// More of what can have happened than this is not looked at.
 const MOST: usize = 256;
 
+/// What is looked at on the ways.
+pub(super) struct Watched {
+    /// Whether the next cycle would do the same.
+    pub(super) settled: PlaceId,
+    /// All of them.
+    pub(super) regions: Vec<WatchedRegion>,
+}
+
+pub(super) struct WatchedRegion {
+    pub(super) state: PlaceId,
+    /// The time that each way to a step has to begin, if that matters.
+    pub(super) since: Option<PlaceId>,
+}
+
 /// How the ways of a cycle enter states.
 pub(super) struct Entries {
     /// From which states, to which one.
-    pub(super) entries: Vec<(Vec<Value>, Value)>,
+    pub(super) found: Vec<(Vec<Value>, Value)>,
     /// By region: each way that begins the time enters a step.
     pub(super) enters: Vec<bool>,
+    /// So many statements tell whether a way has moved.
+    pub(super) tells: usize,
 }
 
 /// What may have happened on one way, or on several that have met.
@@ -38,7 +54,7 @@ struct Happened {
 
 struct EntrySearch<'p, 'm> {
     program: &'p Program<'m>,
-    before: &'p Before,
+    watched: &'p Watched,
     /// By region: all its states.
     states: Vec<Vec<Value>>,
     /// Truths by which a way says whether it has settled.
@@ -50,9 +66,9 @@ struct EntrySearch<'p, 'm> {
 
 impl Entries {
     /// None where a way does not tell whether it has moved, or does not begin the times of what it enters.
-    pub(super) fn of(program: &Program<'_>, before: &Before) -> Option<Self> {
+    pub(super) fn of(program: &Program<'_>, watched: &Watched) -> Option<Self> {
         let mut gathered = Vec::new();
-        let mut open = vec![before.settled];
+        let mut open = vec![watched.settled];
         while let Some(place) = open.pop() {
             if gathered.len() > BITS {
                 return None;
@@ -65,10 +81,10 @@ impl Entries {
             });
         }
         let mut copied = Vec::new();
-        find_copied(program, &program.cycle, &[&gathered[..], &[before.settled]].concat(), &mut copied);
-        let states = before.regions.iter().map(|region| states(program, region)).list();
-        let mut search = EntrySearch { program, before, states, gathered, copied, entries: Vec::new() };
-        if 2 + 2 * before.regions.len() + search.gathered.len() + search.copied.len() > BITS {
+        find_copied(program, &program.cycle, &[&gathered[..], &[watched.settled]].concat(), &mut copied);
+        let states = watched.regions.iter().enumerate().map(|(at, region)| states(program, at, region.state)).list();
+        let mut search = EntrySearch { program, watched, states, gathered, copied, entries: Vec::new() };
+        if 2 + 2 * watched.regions.len() + search.gathered.len() + search.copied.len() > BITS {
             return None;
         }
         let mut way = Happened { done: Set::new(), possible: Vec::new() };
@@ -78,12 +94,16 @@ impl Entries {
         way.possible = search.states.iter().map(|all| Some(vec![true; all.len()])).list();
         search.block(&program.cycle, &mut way)?;
         let told = way.done.iter().all(|done| search.is_told(*done));
-        let mut enters = Vec::with_capacity(before.regions.len());
-        for region in 0..before.regions.len() {
+        let mut enters = Vec::with_capacity(watched.regions.len());
+        for region in 0..watched.regions.len() {
             let (entered, begun) = (EntrySearch::entered(region), EntrySearch::begun(region));
             enters.push(way.done.iter().all(|done| done & begun == 0 || done & entered != 0));
         }
-        told.then_some(Self { entries: search.entries, enters })
+        let is_told = |place: &PlaceId| *place == watched.settled || search.gathered.contains(place);
+        let tells = sum(&program.cycle, &|one| {
+            usize::from(matches!(one, Statement::Set(place, Expr::Value(_)) if is_told(place)))
+        });
+        told.then_some(Self { found: search.entries, enters, tells })
     }
 }
 
@@ -98,12 +118,12 @@ impl<'m> EntrySearch<'_, 'm> {
 
     fn gathers(&self, place: PlaceId) -> Option<Done> {
         let at = self.gathered.iter().position(|other| *other == place)?;
-        Some(1 << (2 + 2 * self.before.regions.len() + at))
+        Some(1 << (2 + 2 * self.watched.regions.len() + at))
     }
 
     /// A place may differ from its copy.
     fn changed(&self, at: usize) -> Done {
-        1 << (2 + 2 * self.before.regions.len() + self.gathered.len() + at)
+        1 << (2 + 2 * self.watched.regions.len() + self.gathered.len() + at)
     }
 
     /// What is written may differ from its copy from here on.
@@ -118,10 +138,10 @@ impl<'m> EntrySearch<'_, 'm> {
     /// Whether a way has told what has happened, and has begun what it has entered.
     fn is_told(&self, done: Done) -> bool {
         let (mut begins, mut some) = (true, false);
-        for region in 0..self.before.regions.len() {
-            let entered = done & Self::entered(region) != 0;
-            begins &= !entered || done & Self::begun(region) != 0;
-            some |= entered;
+        for (at, region) in self.watched.regions.iter().enumerate() {
+            let entered = done & Self::entered(at) != 0;
+            begins &= !entered || done & Self::begun(at) != 0 || region.since.is_none();
+            some |= entered || region.since.is_none();
         }
         let moved = done & MOVED != 0;
         moved != (done & SETTLED != 0) && begins && (some || !moved)
@@ -181,7 +201,7 @@ impl<'m> EntrySearch<'_, 'm> {
     }
 
     fn region(&self, state: PlaceId) -> Option<usize> {
-        self.before.regions.iter().position(|region| region.state == state)
+        self.watched.regions.iter().position(|region| region.state == state)
     }
 
     fn keep(&self, place: PlaceId, way: &mut Happened, is_kept: &dyn Fn(Value) -> bool) {
@@ -192,7 +212,7 @@ impl<'m> EntrySearch<'_, 'm> {
             *possible &= is_kept(*value);
             left.extend(possible.then_some(*value));
         }
-        for (other, region) in self.before.regions.iter().enumerate().filter(|(other, _)| *other != at) {
+        for (other, region) in self.watched.regions.iter().enumerate().filter(|(other, _)| *other != at) {
             if let Some(possible) = &mut way.possible[other] {
                 let begins = initial(&self.program.places[region.state.0]);
                 for (possible, value) in possible.iter_mut().zip(&self.states[other]).filter(|(possible, _)| **possible)
@@ -228,7 +248,7 @@ impl<'m> EntrySearch<'_, 'm> {
     }
 
     fn set(&mut self, place: PlaceId, value: &Expr<'m>, way: &mut Happened) -> Option<()> {
-        if place == self.before.settled {
+        if place == self.watched.settled {
             return self.tell(value, way);
         }
         let is_copied =
@@ -259,7 +279,7 @@ impl<'m> EntrySearch<'_, 'm> {
             self.entries.push((from, *to));
             return Some(());
         }
-        let since = self.before.regions.iter().position(|region| region.since == place);
+        let since = self.watched.regions.iter().position(|region| region.since == Some(place));
         if let (Some(at), Expr::Now) = (since, value) {
             way.each(&|done| vec![done | Self::begun(at)]);
         }
@@ -325,72 +345,14 @@ impl Happened {
 }
 
 /// All states of a region; before the first cycle it has one of its own, if any tells that.
-fn states(program: &Program<'_>, region: &Region) -> Vec<Value> {
-    let start = initial(&program.places[region.state.0]);
+fn states(program: &Program<'_>, region: usize, state: PlaceId) -> Vec<Value> {
+    let start = initial(&program.places[state.0]);
     let mut all = start.into_iter().filter(|value| matches!(value, Value::Start(_))).list();
-    all.extend((!program.full[region.number]).then_some(Value::Step(None)));
-    all.extend(program.regions[region.number].iter().map(|step| Value::Step(Some(*step))));
+    all.extend((!program.full[region]).then_some(Value::Step(None)));
+    all.extend(program.regions[region].iter().map(|step| Value::Step(Some(*step))));
     all
 }
 
 fn with(done: Done, bit: Done, truth: bool) -> Done {
     if truth { done | bit } else { done & !bit }
-}
-
-/// The fields that what is gathered compares with copies of them, and the copies: no states, as these are followed by themselves.
-fn find_copied<'m>(
-    program: &Program<'m>,
-    statements: &[Statement<'m>],
-    gathered: &[PlaceId],
-    found: &mut Vec<(PlaceId, PlaceId)>,
-) {
-    for statement in statements {
-        match statement {
-            Statement::Set(to, value) if gathered.contains(to) => compared(program, value, found),
-            _ => {}
-        }
-        for block in blocks(statement) {
-            find_copied(program, block, gathered, found);
-        }
-    }
-}
-
-fn compared<'m>(program: &Program<'m>, expr: &Expr<'m>, found: &mut Vec<(PlaceId, PlaceId)>) {
-    match expr {
-        Expr::Not(inner) => compared(program, inner, found),
-        Expr::All(parts) | Expr::Any(parts) => parts.iter().for_each(|part| compared(program, part, found)),
-        Expr::Compare(_, a, b) => {
-            let (Expr::Place(a), Expr::Place(b)) = (&**a, &**b) else { return };
-            let is_field = |place: PlaceId| program.places[place.0].is_field;
-            let pair = if is_field(*a) { (*a, *b) } else { (*b, *a) };
-            let is_state = matches!(program.places[a.0].ty, Type::State(_));
-            if is_field(pair.0) && !is_field(pair.1) && !is_state && !found.contains(&pair) {
-                found.push(pair);
-            }
-        }
-        _ => {}
-    }
-}
-
-/// The truths of the cycle by which a place is set.
-fn find_gathered<'m>(
-    program: &Program<'m>,
-    statements: &[Statement<'m>],
-    place: PlaceId,
-    found: &mut dyn FnMut(PlaceId),
-) {
-    for statement in statements {
-        match statement {
-            Statement::Set(to, value) if *to == place => each_read(value, &mut |of| {
-                let info = &program.places[of.0];
-                if !info.is_field && matches!(info.ty, Type::Bool) {
-                    found(of);
-                }
-            }),
-            _ => {}
-        }
-        for block in blocks(statement) {
-            find_gathered(program, block, place, found);
-        }
-    }
 }

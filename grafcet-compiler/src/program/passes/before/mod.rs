@@ -16,12 +16,16 @@
 //! As `moved` does for one region: no way stores whether something has happened, and no cycle its reading. That a time is over while its step stays active is marked
 //! in the state before, by a step from which no transition leads there, or by none. A variable that changes may tell as well, where it does so on ways alone that move a region.
 //!
+//! Where something else is waited for, the reading is kept, and one comparison at the end of the cycle tells whether it has moved (`compared`).
+//!
 //! Needs: each region has a time, and nothing is waited for but these; each way tells whether it has moved (`entries`), and begins the time of each region where another
 //! step becomes active.
 
+mod compared;
 mod entries;
+mod gathered;
 
-use entries::Entries;
+use entries::{Entries, Watched, WatchedRegion};
 
 use super::super::build::{all, choose, compare, not};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
@@ -31,12 +35,18 @@ use super::uses::{Effects, has, mentions, reads_from, same};
 use crate::model::StepId;
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    let Some(mut before) = Before::of(program) else { return };
-    let Some(entries) = Entries::of(program, &before) else { return };
+    if !by_states(program) {
+        compared::pass(program);
+    }
+}
+
+/// Whether the states tell, and no cycle keeps its reading.
+fn by_states(program: &mut Program<'_>) -> bool {
+    let Some(mut before) = Before::of(program) else { return false };
+    let Some(entries) = Entries::of(program, &before.watched()) else { return false };
     for region in &mut before.regions {
-        if !region.outlasted.is_empty() && region.find_mark(&entries.entries, &program.regions[region.number]).is_none()
-        {
-            return;
+        if !region.outlasted.is_empty() && region.find_mark(&entries.found, &program.regions[region.number]).is_none() {
+            return false;
         }
     }
     let head = before.head(program).filter(|region| entries.enters[*region]);
@@ -49,6 +59,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let copies = before.regions.iter().map(|region| Statement::Set(region.before, Expr::Place(region.state)));
     program.cycle = copies.chain(cycle).collect();
     before.ask(program);
+    true
 }
 
 /// One region, and what is known of its states.
@@ -98,6 +109,11 @@ impl Before {
         let read = |place: &PlaceId| reads.contains(place);
         let is_read = read(&settled) || regions.iter().filter_map(|region| region.passed.as_ref()).any(read);
         (!is_read).then_some(Self { settled, regions })
+    }
+
+    fn watched(&self) -> Watched {
+        let region = |one: &Region| WatchedRegion { state: one.state, since: Some(one.since) };
+        Watched { settled: self.settled, regions: self.regions.iter().map(region).collect() }
     }
 
     /// The match on the state of a region in which all is that writes it.

@@ -109,3 +109,19 @@ impl<'e> Excluding<'e> {
         found.is_some()
     }
 }
+
+/// What is known on both of two ways. Whether that is less than before.
+pub(in super::super) fn meet(known: &mut Option<Vec<Fact>>, facts: Vec<Fact>) -> bool {
+    let Some(known) = known else {
+        *known = Some(facts);
+        return true;
+    };
+    let mut less = false;
+    for (one, other) in known.iter_mut().zip(facts) {
+        if *one != other && *one != Fact::Nothing {
+            *one = Fact::Nothing;
+            less = true;
+        }
+    }
+    less
+}

@@ -8,7 +8,7 @@ use super::super::engine::{End, Fact, Tree};
 use super::super::parts::{Part, cut};
 use super::super::search::settle;
 use super::super::several::{Env, Several, Tie, weight};
-use super::super::split::merged;
+use super::super::share::merged;
 use super::super::uses::{Effects, first_of, is_pure, reads_from, same_block};
 use super::after::{After, FEW, Unit};
 use super::owners::owners;

@@ -10,7 +10,7 @@ use crate::model::StepId;
 use crate::program::build::{all, yes};
 use crate::program::passes::edits::replaced;
 use crate::program::passes::fold::{Known, excludes};
-use crate::program::passes::split::merged;
+use crate::program::passes::share::merged;
 use crate::program::{Expr, PlaceId, Statement, Value};
 use crate::sorted::Set;
 
