@@ -47,8 +47,8 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "an edge is sampled twice in an evolution",
         charts: Some("w_let"),
         file: "grafcet-compiler/src/program/lower/sample.rs",
-        right: "when(&mut body, first_evolution.clone(), vec![none]);",
-        wrong: "when(&mut body, first_evolution.clone(), vec![none.clone()]);\n                    body.push(none);",
+        right: "hide(&mut body, edges, first_evolution);",
+        wrong: "body.push(Statement::Set(edges.before, Expr::Place(edges.now)));",
     },
     Fault {
         name: "an `any` leaves its targets, too",
@@ -158,9 +158,9 @@ pub(super) const FAULTS: [Fault; 33] = [
     Fault {
         name: "an edge in the first cycle (A26)",
         charts: Some("a26"),
-        file: "grafcet-compiler/src/program/lower/sample.rs",
-        right: "when(&mut body, first_evolution.clone(), vec![none]);",
-        wrong: "_ = (none, first_evolution);",
+        file: "grafcet-compiler/src/program/lower/places.rs",
+        right: "let begins = truth(asked == Asked::Rising && !is_hidden);",
+        wrong: "let begins = truth(false);",
     },
     Fault {
         name: "activations before deactivations (A29)",

@@ -1,5 +1,7 @@
 //! What a cycle need not keep, as something else tells it: timers of actions, what an edge compares with at first, whether a cycle has moved.
 
+use std::fmt::Write as _;
+
 use grafcet_compiler::program::passes::Pass;
 use grafcet_conformance::program::program as optimised;
 
@@ -60,14 +62,17 @@ fn a26_what_an_edge_compares_with_at_first_needs_no_first_cycle() {
 /// A chart with branches that keeps the reading anyway compares its states at the end of a cycle where many ways would tell that they have moved.
 #[test]
 fn whether_many_ways_have_moved_is_compared_once() {
-    let steps: String =
-        (0..12).map(|at| format!("step F{at} {{ {} if blink(2ms/1ms); }} step G{at};", ["p", "q"][at % 2])).collect();
-    let arrows: String = (0..11)
-        .map(|at| {
-            let next = at + 1;
-            format!("F{at} -[a && 4ms/F{at}]-> F{next}; F{at} -[!a && b && 5ms/F{at}]-> Out; G{at} -[b]-> G{next}; G{at} -[!b && a && 7ms/G{at}]-> G0;")
-        })
-        .collect();
+    let (mut steps, mut arrows) = (String::new(), String::new());
+    for at in 0..12 {
+        _ = write!(steps, "step F{at} {{ {} if blink(2ms/1ms); }} step G{at};", ["p", "q"][at % 2]);
+    }
+    for at in 0..11 {
+        let next = at + 1;
+        _ = write!(
+            arrows,
+            "F{at} -[a && 4ms/F{at}]-> F{next}; F{at} -[!a && b && 5ms/F{at}]-> Out; G{at} -[b]-> G{next}; G{at} -[!b && a && 7ms/G{at}]-> G0;"
+        );
+    }
     let chart = format!(
         "sfc Long {{ input a, b: bool; output p, q: bool; initial step Idle; step Out; {steps} Idle -[a]-> (F0, G0); {arrows} (F11, G11) -[!a]-> Idle; (Out, G11) -[b]-> Idle; }}"
     );
@@ -80,9 +85,13 @@ fn whether_many_ways_have_moved_is_compared_once() {
 /// What runs on in a sequence stands after its match where several of its states would have it, and what one state alone has stays there.
 #[test]
 fn only_times_of_many_states_stand_after_the_match() {
-    let steps: String = (0..10).map(|at| format!("step S{at} {{ {}; }} ", ["p", "q"][at % 2])).collect();
-    let arrows: String =
-        (0..9).map(|at| format!("S{at} -[a && b]-> S{}; S{at} -[!a && 6ms/S{at}]-> Fault; ", at + 1)).collect();
+    let (mut steps, mut arrows) = (String::new(), String::new());
+    for at in 0..10 {
+        _ = write!(steps, "step S{at} {{ {}; }} ", ["p", "q"][at % 2]);
+    }
+    for at in 0..9 {
+        _ = write!(arrows, "S{at} -[a && b]-> S{}; S{at} -[!a && 6ms/S{at}]-> Fault; ", at + 1);
+    }
     let chart = format!(
         "sfc Runs {{ input a, b: bool; output p, q, horn, fan: bool; initial step Idle {{ R horn; SD 4ms fan; }} step Go {{ R fan; }} {steps} step Fault {{ SD 5ms horn; }} \
          Idle -[a]-> Go -[b]-> S0; {arrows} S9 -[!b]-> Idle; Fault -[a && b]-> S0; Fault -[b && !a && 9ms/Fault]-> Go; }}"
