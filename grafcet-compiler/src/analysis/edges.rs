@@ -94,15 +94,17 @@ pub(crate) fn edge_ends(model: &Model, helps: bool) -> Vec<EdgeEnd> {
 
 /// Whether an action happens with an edge alone: what it has done stays, and without edges it does nothing.
 fn is_over_with_edges(association: &Association) -> bool {
-    association.qualifier == Qualifier::On && association.event.as_ref().is_some_and(|event| asks_for_edge(&event.tree))
+    let is_edge = |tree: &Tree| matches!(tree, Tree::Read(read) if edge_of(read).is_some());
+    association.qualifier == Qualifier::On
+        && association.event.as_ref().is_some_and(|event| asks(&event.tree, &is_edge))
 }
 
-fn asks_for_edge(tree: &Tree) -> bool {
+/// Whether the condition holds only where one of these does.
+pub(super) fn asks(tree: &Tree, once: &dyn Fn(&Tree) -> bool) -> bool {
     match tree {
-        Tree::Binary(Binary::And, a, b) => asks_for_edge(a) || asks_for_edge(b),
-        Tree::Binary(Binary::Or, a, b) => asks_for_edge(a) && asks_for_edge(b),
-        Tree::Read(read) => edge_of(read).is_some(),
-        _ => false,
+        Tree::Binary(Binary::And, a, b) => asks(a, once) || asks(b, once),
+        Tree::Binary(Binary::Or, a, b) => asks(a, once) && asks(b, once),
+        other => once(other),
     }
 }
 

@@ -2,11 +2,11 @@
 
 use super::is_constant_read;
 use crate::analysis::Concurrency;
-use crate::analysis::edges::{is_edge_of, is_edge_of_inputs};
+use crate::analysis::edges::{asks, is_edge_of, is_edge_of_inputs};
 use crate::ast::Dialect;
 use crate::model::{
-    Association, Binary, Blink, Blinker, Model, Name, Place, Qualifier, Read, StepId, TimeRef, Transition,
-    TransitionId, Tree, Unary,
+    Association, Blink, Blinker, Model, Name, Place, Qualifier, Read, StepId, TimeRef, Transition, TransitionId, Tree,
+    Unary,
 };
 use crate::qualifier::Trigger;
 
@@ -68,15 +68,6 @@ fn changes_with_clearings(model: &Model, read: &Read) -> bool {
         matches!(one.qualifier.trigger(Dialect::Grafcet), Trigger::Activation | Trigger::Deactivation)
     };
     model.associations.values().all(|one| with_steps(one) || !one.effect.writes().contains(&place))
-}
-
-/// Whether the condition holds only where one of these does.
-fn asks(tree: &Tree, once: &dyn Fn(&Tree) -> bool) -> bool {
-    match tree {
-        Tree::Binary(Binary::And, a, b) => asks(a, once) || asks(b, once),
-        Tree::Binary(Binary::Or, a, b) => asks(a, once) && asks(b, once),
-        other => once(other),
-    }
 }
 
 /// Whether clearing the transition leaves the step: none enters it in the same evolution, so that it would stay active (A4g).

@@ -100,12 +100,13 @@ pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
     let scattered = tail::scattered(&program.places, &program.cycle);
     let some = beside(&lowered, &split, (&list, &index, &assumed), options, &|place| scattered.contains(&place));
     // What only a few states do costs instructions in all others.
-    let [ways, some_weight, all_weight] = [Some(&*program), some.as_ref(), Some(&all)].map(|one| one.map(hoisted));
-    let (other, weight) = match (some, some_weight.zip(all_weight)) {
-        (Some(some), Some((weight, all_weight))) if 10 * weight <= 11 * all_weight => (some, Some(weight)),
-        _ => (all, all_weight),
-    };
-    if weight.zip(ways).is_some_and(|(weight, ways)| 10 * weight < 9 * ways) {
+    let (mut weight, mut other) = (hoisted(&all), all);
+    if let Some((its, some)) = some.map(|some| (hoisted(&some), some)) {
+        if 10 * its <= 11 * weight {
+            (weight, other) = (its, some);
+        }
+    }
+    if 10 * weight < 9 * hoisted(program) {
         *program = other;
     }
 }
