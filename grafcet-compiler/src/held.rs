@@ -38,6 +38,8 @@ pub enum Held {
     DelayInput(DelayId),
     /// How long that has been so.
     DelayHeld(DelayId),
+    /// 0 where a delay is false, 1 where it waits to be true, 2 where it is true, 3 where it waits to be false; how long it has been so counts where it waits.
+    DelayStage(DelayId),
     /// What a delay says.
     DelayOutput(DelayId),
     /// S, SD, DS, SL.
@@ -46,6 +48,8 @@ pub enum Held {
     TimerInput(AssociationId, Qualifier),
     /// How long it has been.
     TimerHeld(AssociationId, Qualifier),
+    /// 0 where it was false, 1 where it was true, 2 where it has been so for as long as the timer takes: how long does not count then.
+    TimerStage(AssociationId, Qualifier),
     /// The association whose time the timer takes, by its place among these.
     TimerOf(AssociationId, Qualifier, Vec<AssociationId>),
     /// The association that set a flip-flop last, by its place among these.

@@ -6,8 +6,8 @@ use crate::aig::{Aig, Lit};
 use crate::limit::Limit;
 use crate::sat::{Sat, Wires};
 
-/// So many steps of the solver for one search, in all.
-const STEPS: u64 = 30_000;
+/// So many steps of the solver for one search, in all: twice of what the largest charts of the gallery take.
+const STEPS: u64 = 90_000;
 
 pub(crate) struct Probe {
     /// The gates so far, and the round in which the next question is asked; none once the limit is reached.

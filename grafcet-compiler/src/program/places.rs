@@ -77,6 +77,8 @@ pub enum Role {
     DelayHeld(DelayId),
     /// The reading of the clock at which the input of a delay changed; where the output has followed, it means nothing.
     DelayBegan(DelayId),
+    /// Of such a delay: 0 where it is false, 1 where it waits to be true, 2 where it is true, 3 where it waits to be false.
+    DelayStage(DelayId),
     DelayOutput(DelayId),
     Output(OutputId),
     Var(VarId),
@@ -88,6 +90,10 @@ pub enum Role {
     TimerInput(AssociationId, Qualifier),
     /// How long it has been.
     TimerHeld(AssociationId, Qualifier),
+    /// The reading of the clock at which it became true; unless the timer runs, it means nothing.
+    TimerBegan(AssociationId, Qualifier),
+    /// Of such a timer: 0 where its input is false, 1 where it runs, 2 where it is over.
+    TimerStage(AssociationId, Qualifier),
     /// The association whose time the timer takes.
     TimerOf(AssociationId, Qualifier),
     /// The association that set a flip-flop.

@@ -178,10 +178,12 @@ impl Recall<'_> {
     fn delays(&mut self) -> Result<(), String> {
         let model = self.model;
         for (id, delay) in model.delays.iter() {
+            let stage = self.value(&Held::DelayStage(id));
+            let is_one_of = |stages: [i128; 2]| stage.map(|stage| stages.map(Value::Int).contains(&stage));
             let parts = (
-                self.truth(&Held::DelayInput(id)),
+                self.truth(&Held::DelayInput(id)).or(is_one_of([1, 2])),
                 self.ticks(&Held::DelayHeld(id)),
-                self.truth(&Held::DelayOutput(id)),
+                self.truth(&Held::DelayOutput(id)).or(is_one_of([2, 3])),
             );
             let (Some(signal), Some(held), Some(output)) = parts else {
                 return Err(format!("how long `{}` has been so", delay.of.text));
@@ -257,11 +259,15 @@ impl Recall<'_> {
                 chosen(&|id| Held::TimerOf(id, q, Vec::new())).or_else(|| under(q).pop().filter(|_| times.len() == 1));
             let Some(of) = of else { return Err(format!("which time of {} counts", q.word())) };
             control.time_of.insert(q, of);
+            let stage = held(&|id| Held::TimerStage(id, q)).and_then(|held| self.value(&held));
             let input = held(&|id| Held::TimerInput(id, q)).and_then(|held| self.truth(&held));
+            let input = input.or(stage.map(|stage| stage != Value::Int(0)));
             let of_flip_flop = q.times_its_flip_flop().then(|| control.flip_flops.contains(&q));
             let signal = input.or(of_flip_flop).or_else(|| self.is_on(&under(q)));
             let Some(signal) = signal else { return Err(format!("whether the timer of {} runs", q.word())) };
             let counted = held(&|id| Held::TimerHeld(id, q)).and_then(|held| self.ticks(&held));
+            // Of one that is over nobody asks for how long.
+            let counted = if stage == Some(Value::Int(2)) { Some(u32::MAX) } else { counted };
             let counted = counted.or_else(|| if signal { self.time_of_step(q, &under(q)) } else { Some(0) });
             let Some(counted) = counted else { return Err(format!("how long the timer of {} has run", q.word())) };
             control.timers.insert(q, Stopwatch::of(signal, counted));

@@ -28,7 +28,7 @@ impl Fault {
 const MODES: &str = "grafcet-compiler/src/model/resolve/modes.rs";
 
 /// What is planted.
-pub(super) const FAULTS: [Fault; 33] = [
+pub(super) const FAULTS: [Fault; 34] = [
     Fault {
         name: "a partial grafcet evolves where the order that forced it ends (A13)",
         charts: Some("a13"),
@@ -67,7 +67,14 @@ pub(super) const FAULTS: [Fault; 33] = [
     Fault {
         name: "`>` for `>=` in a timer",
         charts: Some("q_"),
-        file: "grafcet-compiler/src/program/lower/control.rs",
+        file: "grafcet-compiler/src/program/lower/timers.rs",
+        right: "all(vec![is(RUNS), at_least(clock.passed(Expr::Now), time.clone())])",
+        wrong: "all(vec![is(RUNS), not(at_least(time.clone(), clock.passed(Expr::Now)))])",
+    },
+    Fault {
+        name: "`>` for `>=` in a timer that is counted",
+        charts: Some("q_"),
+        file: "grafcet-compiler/src/program/lower/timers.rs",
         right: "all(vec![Expr::Place(was), at_least(Expr::Place(held), time)])",
         wrong: "all(vec![Expr::Place(was), not(at_least(time, Expr::Place(held)))])",
     },
@@ -89,15 +96,15 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "what a timer has held is ignored while sleeping",
         charts: Some("t_deadline_timer"),
         file: "grafcet-compiler/src/program/lower/deadline.rs",
-        right: "time: sub(time.clone(), Expr::Place(*held)) });",
-        wrong: "time: time.clone() });",
+        right: "Clock::Began(began) if only_readings => (began, time),",
+        wrong: "Clock::Began(_) if only_readings => (reading, time),",
     },
     Fault {
         name: "a delay forgets its time where its input stays",
         charts: Some("t_delay"),
-        file: "grafcet-compiler/src/program/lower/sample.rs",
-        right: "vec![Statement::If(differs(places.input), vec![clock.begin(), set(places.input)], vec![follows])]",
-        wrong: "vec![clock.begin(), set(places.input), follows]",
+        file: "grafcet-compiler/src/program/lower/delays.rs",
+        right: "vec![Statement::If(is(stage, from), begin, go_on)]",
+        wrong: "[begin, go_on].concat()",
     },
     Fault {
         name: "a step of flags is looked for in the wrong byte",
@@ -172,9 +179,9 @@ pub(super) const FAULTS: [Fault; 33] = [
     Fault {
         name: "a self-loop lets a timer go on in `sfc` (A4s)",
         charts: Some("q_l_reentry"),
-        file: "grafcet-compiler/src/program/lower/control.rs",
-        right: "not(self.again(target, flags, qualifier))]);",
-        wrong: "not(all(vec![no(), self.again(target, flags, qualifier)]))]);",
+        file: "grafcet-compiler/src/program/lower/timers.rs",
+        right: "any(vec![is(IDLE), again])",
+        wrong: "any(vec![is(IDLE), all(vec![no(), again])])",
     },
     Fault {
         name: "an inner transition clears in an enclosing step that is left (A19)",

@@ -190,7 +190,8 @@ impl<'m> Printer<'_, 'm> {
     /// The fields with readings at which times began.
     pub(super) fn began(&self) -> Vec<Began> {
         let places = self.program.places.iter().zip(&self.layout.slots).enumerate();
-        let began = |role| matches!(role, Role::Began(_) | Role::MacroBegan(_) | Role::DelayBegan(_));
+        let began =
+            |role| matches!(role, Role::Began(_) | Role::MacroBegan(_) | Role::DelayBegan(_) | Role::TimerBegan(..));
         places
             .filter(|(_, (place, slot))| began(place.role) && slot.kind == Kind::Field)
             .map(|(index, (_, slot))| self.began_at(PlaceId(index), slot.name.clone()))

@@ -57,18 +57,26 @@ pub(super) fn is_time_of_step(model: &Model, regions: &Regions, id: AssociationI
 /// steps, too, it falls between them.
 pub(super) fn limits_by_step(model: &Model, regions: &Regions, id: AssociationId) -> bool {
     let association = &model.associations[id];
-    let (qualifier, target) = (association.qualifier, what(association));
-    let shares =
-        |another: &&Association| another.qualifier == qualifier && target != What::Own && what(another) == target;
-    if !qualifier.restarts_with_step() || association.condition.is_some() {
+    if !association.qualifier.restarts_with_step() || association.condition.is_some() {
         return false;
     }
-    let sharing = model.associations.values().filter(shares).list();
+    let sharing = of_one_timer(model, id);
     let steps: Set<StepId> = sharing.iter().map(|one| one.step).collect();
     sharing.len() < 2
         || sharing.len() == steps.len()
             && sharing.iter().all(|one| one.condition.is_none())
             && are_apart(model, regions, &steps)
+}
+
+/// The associations that share a timer with this one, and itself.
+pub(super) fn of_one_timer(model: &Model, id: AssociationId) -> Vec<&Association> {
+    let association = &model.associations[id];
+    let (qualifier, target) = (association.qualifier, what(association));
+    let shares = |another: &&Association| another.qualifier == qualifier && what(another) == target;
+    match target {
+        What::Own => vec![association],
+        What::Place(_) | What::Action(_) => model.associations.values().filter(shares).list(),
+    }
 }
 
 /// Whether none of these steps is active beside another one or directly after it, as steps of one region of which each is entered from within it.

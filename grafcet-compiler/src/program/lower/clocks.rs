@@ -2,14 +2,16 @@
 //!
 //! A time that is compared with literals alone is the reading at which it began: what has passed is `now - began`, which is exact as long as
 //! two cycles lie less than 2^31 ticks apart. It cannot wrap, however long a step stays active: what can go on beyond the longest of its
-//! literals is kept there (`bound_times`), and what blinks goes on by whole periods (`periods`). That of a delay with literals is the reading at which its input changed. Every other time is counted, and saturates.
+//! literals is kept there (`bound_times`), and what blinks goes on by whole periods (`periods`). That of a delay with literals, and that of the timer of an action with one literal, is the reading at which its input changed; a stage tells whether anybody asks for it. Every other time is counted, and saturates.
 
-use super::changes::{Change, Changes, changes, is_time_of_step};
+use super::changes::{Change, Changes, changes, is_time_of_step, of_one_timer};
 use super::places::{Phases, time, truth};
 use super::{Clocks, Lower};
 use crate::analysis::{Condition, Facts, Logic};
 use crate::list::List;
-use crate::model::{Blink, Blinker, Delay, Effect, ForceOrder, Id, MacroId, Model, Read, StepId, TimeRef, Tree};
+use crate::model::{
+    AssociationId, Blink, Blinker, Delay, Effect, ForceOrder, Id, MacroId, Model, Read, StepId, TimeRef, Tree,
+};
 use crate::program::build::{add, ticks};
 use crate::program::{Expr, PlaceId, Role, Statement, Type};
 use crate::raw::plain;
@@ -116,8 +118,8 @@ impl<'m> Lower<'_, 'm> {
     fn counts(&self) -> bool {
         let model = self.model;
         let counted = |clock: &Clock| matches!(clock, Clock::Counted(_));
-        let has_timer = |(id, association): (crate::model::AssociationId, &crate::model::Association)| {
-            association.time.is_some() && !is_time_of_step(model, self.regions, id)
+        let has_timer = |(id, association): (AssociationId, &crate::model::Association)| {
+            association.time.is_some() && !is_time_of_step(model, self.regions, id) && !self.reads_timer(id)
         };
         self.time.iter().and(&self.macro_time).flatten().any(counted)
             || !self.phases.is_empty()
@@ -129,6 +131,14 @@ impl<'m> Lower<'_, 'm> {
     pub(super) fn reads(&self, delay: &Delay) -> bool {
         let is_literal = |time: &TimeRef| literal(Change::At(*time)).is_some();
         self.clocks == Clocks::Read && [delay.on, delay.off].iter().all(is_literal)
+    }
+
+    /// The same of the timer of an association of an `sfc`.
+    pub(super) fn reads_timer(&self, id: AssociationId) -> bool {
+        let time = self.model.associations[id].time;
+        self.clocks == Clocks::Read
+            && time.is_some_and(|time| literal(Change::At(time)).is_some())
+            && of_one_timer(self.model, id).iter().all(|one| one.time == time)
     }
 
     /// The time of a step is that of its region.

@@ -10,11 +10,10 @@
 //! ```
 
 use super::Lower;
-use super::changes::limits_by_step;
 use super::view::Moment;
 use crate::list::{List, PushAll};
-use crate::model::{ActionId, Association, AssociationId, Dialect, Effect, Id, Place, Qualifier, TimeRef, Trigger};
-use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
+use crate::model::{ActionId, Association, AssociationId, Dialect, Effect, Id, Place, Qualifier, Trigger};
+use crate::program::build::{all, any, compare, not, number, when, yes};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
 use crate::raw::plain;
 use crate::sorted::sort_by_key;
@@ -35,7 +34,7 @@ pub(super) struct Target {
     pub(super) what: What,
     /// In source order.
     pub(super) associations: Vec<AssociationId>,
-    name: String,
+    pub(super) name: String,
     pub(super) q: PlaceId,
     /// Q of the cycle before, where something runs when it rises or falls.
     pub(super) was: Option<PlaceId>,
@@ -208,85 +207,6 @@ impl<'m> Lower<'_, 'm> {
         let value = all(vec![not(reset.clone()), any(vec![set, Expr::Place(stored)])]);
         body.push(Statement::Set(stored, value));
         Expr::Place(stored)
-    }
-
-    /// `TON`: true once its input has been true for a time. "A step re-entered by A4s starts L, D and DS again."
-    fn timer(
-        &mut self,
-        target: &Target,
-        flags: &[PlaceId],
-        qualifier: Qualifier,
-        input: Expr<'m>,
-        body: &mut Vec<Statement<'m>>,
-    ) -> Expr<'m> {
-        let under = self.under(target, qualifier);
-        if under.iter().all(|id| limits_by_step(self.model, self.regions, *id)) {
-            let is_over = |id: &AssociationId| {
-                let association = &self.model.associations[*id];
-                let time = association.time.map_or_else(zero, |time| self.time_of(time));
-                at_least(self.since_active(association.step, Moment::After), time)
-            };
-            if let [id] = &under[..] {
-                return all(vec![input, is_over(id)]);
-            }
-            let by_step = |id: &AssociationId| all(vec![Expr::Place(flags[id.index()]), is_over(id)]);
-            return any(under.iter().map(by_step).list());
-        }
-        let (first, name) = (target.associations[0], format!("{qualifier:?}_TMR.{}", target.name));
-        let (no_time, off) = (Initial::Value(Value::Ticks(0)), Initial::Value(Value::Bool(false)));
-        let held = self.field(format!("{name}.held"), Role::TimerHeld(first, qualifier), Type::Ticks, no_time);
-        let was = self.field(format!("{name}.in"), Role::TimerInput(first, qualifier), Type::Bool, off);
-        let time = self.timer_time(target, flags, qualifier, body);
-        let Some(elapsed) = self.elapsed else { return no() };
-        let goes_on = all(vec![input.clone(), Expr::Place(was), not(self.again(target, flags, qualifier))]);
-        let on = add(Expr::Place(held), Expr::Place(elapsed));
-        body.push(Statement::Set(held, choose(goes_on, on, zero())));
-        body.push(Statement::Set(was, input));
-        self.timers.push((was, held, time.clone()));
-        all(vec![Expr::Place(was), at_least(Expr::Place(held), time)])
-    }
-
-    /// "Associations with different times share the timer of their target; it takes the time of the one active last."
-    fn timer_time(
-        &mut self,
-        target: &Target,
-        flags: &[PlaceId],
-        qualifier: Qualifier,
-        body: &mut Vec<Statement<'m>>,
-    ) -> Expr<'m> {
-        let mut times: Vec<(AssociationId, TimeRef)> = Vec::new();
-        for id in self.under(target, qualifier) {
-            times.push_all(self.model.associations[id].time.map(|time| (id, time)));
-        }
-        let Some(((_, last), others)) = times.split_last() else { return zero() };
-        if others.iter().all(|(_, time)| time == last) {
-            return self.time_of(*last);
-        }
-        let role = Role::TimerOf(target.associations[0], qualifier);
-        let begin = Initial::Value(Value::Int(0));
-        let of = self.field(format!("{qualifier:?}_TMR.{}.of", target.name), role, Type::Number, begin);
-        for (id, _) in &times {
-            when(body, Expr::Place(flags[id.index()]), vec![Statement::Set(of, number(id.index()))]);
-        }
-        let mut time = self.time_of(*last);
-        for (id, other) in others.iter().rev() {
-            let is = compare(Comparison::Equal, Expr::Place(of), number(id.index()));
-            time = choose(is, self.time_of(*other), time);
-        }
-        time
-    }
-
-    fn again(&self, target: &Target, flags: &[PlaceId], qualifier: Qualifier) -> Expr<'m> {
-        if !qualifier.restarts_with_step() {
-            return no();
-        }
-        let mut again = Vec::new();
-        for id in self.under(target, qualifier) {
-            let step = self.model.associations[id].step.index();
-            let both = [self.left[step], self.entered[step], flags[id.index()]];
-            again.push(all(both.map(Expr::Place).to_vec()));
-        }
-        any(again)
     }
 
     /// Point 7: "An association acts in a cycle in which it alone would make Q true. Of several that act, the last in the source."

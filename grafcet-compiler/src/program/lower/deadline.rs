@@ -4,10 +4,12 @@ use super::Lower;
 use super::changes::{Change, changes};
 use super::clocks::{Clock, literal};
 use super::periods::phase;
+use super::places::Followed;
+use super::timers::Timer;
 use crate::list::{List, PushAll};
 use crate::model::{Blinker, Expr as Written, Qualifier, StepId};
-use crate::program::build::{all, any, at_least, choose, compare, less, not, sub, ticks};
-use crate::program::{Comparison, Deadline, Expr, Initial, PlaceId, Role, Type, Value, Wait};
+use crate::program::build::{all, any, at_least, choose, less, not, sub, ticks};
+use crate::program::{Deadline, Expr, Initial, PlaceId, Role, Type, Value, Wait};
 
 /// With more regions, what each of them keeps takes more than the reading of the last cycle.
 const FEW_REGIONS: usize = 4;
@@ -22,19 +24,12 @@ impl<'m> Lower<'_, 'm> {
             self.wait(*of, *change, &mut waits);
         }
         let only_readings = !self.counts_some();
-        for id in self.model.delays.ids() {
-            let (delay, places) = (&self.model.delays[id], self.delay(id));
-            let differ = compare(Comparison::Differs, Expr::Place(places.input), Expr::Place(places.output));
-            let time = choose(Expr::Place(places.input), self.time_of(delay.on), self.time_of(delay.off));
-            let (from, time) = match places.clock {
+        for Timer { is_waiting, clock, time } in self.timers_of_delays().into_iter().and(self.timers.iter().cloned()) {
+            let (from, time) = match clock {
                 Clock::Began(began) if only_readings => (began, time),
                 clock => (reading, sub(time, clock.passed(Expr::Place(reading)))),
             };
-            waits.push(Wait { condition: differ, from, time });
-        }
-        for (input, held, time) in &self.timers {
-            let waiting = all(vec![Expr::Place(*input), less(Expr::Place(*held), time.clone())]);
-            waits.push(Wait { condition: waiting, from: reading, time: sub(time.clone(), Expr::Place(*held)) });
+            waits.push(Wait { condition: is_waiting, from, time });
         }
         let mut at_once = self.restless();
         at_once.insert(0, not(Expr::Place(settled)));
@@ -136,8 +131,9 @@ impl<'m> Lower<'_, 'm> {
     fn counts_some(&self) -> bool {
         let is_counted = |clock: &Clock| matches!(clock, Clock::Counted(_));
         self.time.iter().and(&self.macro_time).flatten().any(is_counted)
-            || self.delays.iter().any(|delay| is_counted(&delay.clock))
-            || !(self.phases.is_empty() && self.timers.is_empty())
+            || self.delays.iter().any(|delay| matches!(delay.followed, Followed::Counted { .. }))
+            || self.timers.iter().any(|timer| is_counted(&timer.clock))
+            || !self.phases.is_empty()
     }
 
     /// Whether all that is waited for counts from the beginning of a step's time, so that nobody asks for the reading of the last cycle: with one region, and with

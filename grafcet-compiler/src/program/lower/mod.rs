@@ -6,9 +6,9 @@
 //! - `clocks`, `changes`: which times are counted, which are readings of the clock; with what they are compared
 //! - `periods`: of what blinks, how its time is kept short
 //! - `view`: what an expression reads, at each moment of the cycle
-//! - `time`, `sample`: times that pass and begin; edges, delays and combinational variables
+//! - `time`, `sample`, `delays`: times that pass and begin; edges, delays and combinational variables
 //! - `decide`: which transitions clear
-//! - `sfc`, `control`, `runs`: IEC 61131-3, one evolution and `ACTION_CONTROL`
+//! - `sfc`, `control`, `timers`, `runs`: IEC 61131-3, one evolution and `ACTION_CONTROL`
 //! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848, the search for stability
 //! - `forced`: the cycle that leads into a situation by hand
 //! - `deadline`: until when nothing changes
@@ -19,6 +19,7 @@ mod continuous;
 mod control;
 mod deadline;
 mod decide;
+mod delays;
 mod forced;
 mod grafcet;
 mod hierarchy;
@@ -29,11 +30,12 @@ mod sample;
 mod sfc;
 mod stored;
 mod time;
+mod timers;
 mod view;
 
 use std::fmt;
 
-use super::{Expr, PlaceId, PlaceInfo, Program, Regions, Search, Statement};
+use super::{PlaceId, PlaceInfo, Program, Regions, Search, Statement};
 use crate::analysis::{EdgeEnd, Facts, Relation, combinational, hierarchy::masters};
 use crate::list::List;
 use crate::model::{Blinker, Effect, Id, Model, PartialId, Place, Qualifier, StepId, Ty};
@@ -183,8 +185,8 @@ struct Lower<'r, 'm> {
     /// A block of the user that is not looked into has run, or an action was called: nobody sees what it has changed. In a chart that uses
     /// time.
     opaque_ran: Option<PlaceId>,
-    /// The timers of action controls: input, what they have held, and for how long they wait.
-    timers: Vec<(PlaceId, PlaceId, Expr<'m>)>,
+    /// The timers of action controls.
+    timers: Vec<timers::Timer<'m>>,
     /// What a block writes, and whether it has: by the place it is for.
     own: Vec<(PlaceId, PlaceId, PlaceId)>,
     /// By edge, where it is asked for: in conditions, and in the actions of an `sfc`.

@@ -1,6 +1,5 @@
 //! What is stored, and how it is called.
 
-use super::clocks::Clock;
 use super::{Clocks, Lower, Set};
 use crate::analysis::{Facts, edge_ends};
 use crate::list::List;
@@ -32,10 +31,16 @@ pub(super) enum Asked {
 pub(super) struct Delays {
     /// What its expression is now.
     pub(super) now: PlaceId,
-    pub(super) input: PlaceId,
-    /// How long it has been what it is, or since when; the latter only where the output is still another one.
-    pub(super) clock: Clock,
-    pub(super) output: PlaceId,
+    pub(super) followed: Followed,
+}
+
+/// How the output of a delay follows its expression.
+#[derive(Clone, Copy)]
+pub(super) enum Followed {
+    /// Its expression and its output in the last cycle, and how long the former has been what it is.
+    Counted { input: PlaceId, held: PlaceId, output: PlaceId },
+    /// By stages: since when it is in one in which it waits.
+    Read { stage: PlaceId, began: PlaceId },
 }
 
 /// The phase of something that blinks since the activation of a region's step or of a macro-step.
@@ -216,18 +221,22 @@ impl<'r, 'm> Lower<'r, 'm> {
         let model = self.model;
         for (id, delay) in model.delays.iter() {
             let name = format!("delay{}", id.index());
-            let clock = if self.reads(delay) {
-                Clock::Began(self.field(format!("{name}.since"), Role::DelayBegan(id), Type::Ticks, time()))
+            let is_read = self.reads(delay);
+            let mut field = |part: &str, role, ty, initial| self.field(format!("{name}.{part}"), role, ty, initial);
+            let followed = if is_read {
+                Followed::Read {
+                    began: field("since", Role::DelayBegan(id), Type::Ticks, time()),
+                    stage: field("stage", Role::DelayStage(id), Type::Number, Initial::Value(Value::Int(0))),
+                }
             } else {
-                Clock::Counted(self.field(format!("{name}.held"), Role::DelayHeld(id), Type::Ticks, time()))
+                Followed::Counted {
+                    held: field("held", Role::DelayHeld(id), Type::Ticks, time()),
+                    input: field("in", Role::DelayInput(id), Type::Bool, truth(false)),
+                    output: field("out", Role::DelayOutput(id), Type::Bool, truth(false)),
+                }
             };
-            let delays = Delays {
-                now: self.truth(format!("{name}.now")),
-                input: self.field(format!("{name}.in"), Role::DelayInput(id), Type::Bool, truth(false)),
-                clock,
-                output: self.field(format!("{name}.out"), Role::DelayOutput(id), Type::Bool, truth(false)),
-            };
-            self.delays.push(delays);
+            let now = self.truth(format!("{name}.now"));
+            self.delays.push(Delays { now, followed });
         }
         let (early, late) = self.asked_edges();
         let reads = model.expressions().concat();

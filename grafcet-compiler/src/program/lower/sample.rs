@@ -1,14 +1,13 @@
 //! What is sampled: edges, delays (A36) and combinational variables (A22), each after those it reads.
 
 use super::Lower;
-use super::clocks::Clock;
-use super::places::{Asked, Delays, Edges};
+use super::places::{Asked, Edges};
 use super::view::Moment;
 use crate::analysis::{EdgeEnd, Gone, combinational};
 use crate::list::{List, PushAll};
-use crate::model::{DelayId, EdgeId, Effect, Id, Name, Place, Read, TimeRef, VarId};
-use crate::program::build::{add, all, any, at_least, choose, compare, differ, no, not, when, yes, zero};
-use crate::program::{Comparison, Expr, PlaceId, Statement, Value};
+use crate::model::{DelayId, EdgeId, Effect, Id, Name, Place, Read, VarId};
+use crate::program::build::{all, any, differ, no, not, when, yes};
+use crate::program::{Expr, Statement};
 use crate::sorted::Set;
 
 /// Something that is sampled.
@@ -166,44 +165,6 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         body
-    }
-
-    /// "`t1/e/t2` becomes true once `e` has been true for t1 and false once `e` has been false for t2."
-    fn sample_delay(&self, id: DelayId) -> Vec<Statement<'m>> {
-        let (delay, places) = (&self.model.delays[id], self.delay(id));
-        let now = Expr::Place(places.now);
-        let set = Statement::Set(places.now, self.user(&delay.of, Moment::Before));
-        let (held, elapsed) = match (places.clock, self.elapsed) {
-            (Clock::Began(began), _) => {
-                let [on, off] =
-                    [(true, delay.on), (false, delay.off)].map(|(is, time)| self.follow(places, began, is, time));
-                return vec![set, Statement::If(now, on, off)];
-            }
-            (Clock::Counted(held), Some(elapsed)) => (held, elapsed),
-            (Clock::Counted(_), None) => return Vec::new(),
-        };
-        let same = compare(Comparison::Equal, now.clone(), Expr::Place(places.input));
-        let time = choose(now.clone(), self.time_of(delay.on), self.time_of(delay.off));
-        let follow = vec![Statement::Set(places.output, now.clone())];
-        vec![
-            set,
-            Statement::Set(held, choose(same, add(Expr::Place(held), Expr::Place(elapsed)), zero())),
-            Statement::Set(places.input, now),
-            Statement::If(at_least(Expr::Place(held), time), follow, Vec::new()),
-        ]
-    }
-
-    /// The same of one of the two values, by the reading at which it came. Once the output has followed, nobody asks for that.
-    fn follow(&self, places: Delays, began: PlaceId, is: bool, time: TimeRef) -> Vec<Statement<'m>> {
-        let set = |place| Statement::Set(place, Expr::Value(Value::Bool(is)));
-        let differs = |place| if is { not(Expr::Place(place)) } else { Expr::Place(place) };
-        if matches!(time, TimeRef::Ticks(0)) {
-            return vec![set(places.input), set(places.output)];
-        }
-        let clock = Clock::Began(began);
-        let is_over = at_least(clock.passed(Expr::Now), self.time_of(time));
-        let follows = Statement::If(all(vec![differs(places.output), is_over]), vec![set(places.output)], Vec::new());
-        vec![Statement::If(differs(places.input), vec![clock.begin(), set(places.input)], vec![follows])]
     }
 
     /// A22: the OR over its associations.

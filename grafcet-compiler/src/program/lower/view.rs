@@ -58,7 +58,7 @@ impl<'m> Lower<'_, 'm> {
             Read::Memory(_) => no(),
             Read::Rising(id) => self.edge(id.index(), moment, true),
             Read::Falling(id) => self.edge(id.index(), moment, false),
-            Read::Delay(id) => Expr::Place(self.delay(id).output),
+            Read::Delay(id) => self.delayed(id),
             Read::Ticks(count) => ticks(count),
             Read::Elapsed(time, step) => {
                 all(vec![self.active(step, moment), at_least(self.since_active(step, moment), self.time_of(time))])

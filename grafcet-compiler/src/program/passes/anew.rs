@@ -338,6 +338,7 @@ fn is_own(role: Role) -> bool {
             | Role::Var(_)
             | Role::SetBy(..)
             | Role::TimerInput(..)
+            | Role::TimerStage(..)
             | Role::Active(_)
             | Role::Held(_)
             | Role::Acted(_)

@@ -81,9 +81,20 @@ pub(super) fn tail(
 
 /// The time of an action that runs on, whatever step is active.
 fn runs_on(places: &[PlaceInfo<'_>], statement: &Statement<'_>) -> Option<PlaceId> {
-    let Statement::Set(place, value @ Expr::Choose(_)) = statement else { return None };
-    let is_time = places[place.0].is_field && matches!(places[place.0].ty, Type::Ticks) && mentions(value, *place);
-    is_time.then_some(*place)
+    match statement {
+        Statement::Set(place, value @ Expr::Choose(_)) => {
+            let is_time =
+                places[place.0].is_field && matches!(places[place.0].ty, Type::Ticks) && mentions(value, *place);
+            is_time.then_some(*place)
+        }
+        Statement::If(..) => {
+            let effects = Effects::of(statement);
+            let is_own = |place: &PlaceId| matches!(places[place.0].role, Role::TimerBegan(..) | Role::TimerStage(..));
+            let began = |place: &&PlaceId| matches!(places[place.0].role, Role::TimerBegan(..));
+            effects.reads.iter().find(began).copied().filter(|_| effects.writes.iter().all(is_own))
+        }
+        _ => None,
+    }
 }
 
 /// The times that run on in several states of which each has a statement of its own.

@@ -102,3 +102,48 @@ fn only_times_of_many_states_stand_after_the_match() {
     assert!(after.contains("Sd_TMR.horn.held = if"), "{program}");
     each_left_out(&read(&chart), &storm(&["a", "b"], 300), 150);
 }
+
+/// A timer of an action, and the delay of a condition, with literals are readings of the clock: beside them nothing counts, and nothing keeps the reading of the last cycle. A stage
+/// says whether the reading counts, so that what is over stays so however long it lasts.
+#[test]
+fn timers_and_delays_with_literals_are_readings() {
+    for actions in [
+        ["SD 3ms q;", "R q;", ""],
+        ["SL 3ms q;", "R q;", "SL 3ms q;"],
+        ["L 3ms q if a;", "", "L 3ms q if b;"],
+        ["D 2ms q if !b;", "", "D 2ms q;"],
+        ["DS 2ms q if a;", "R q;", ""],
+        ["SD 0ms q;", "R q;", ""],
+    ] {
+        let [first, second, third] = actions;
+        for time in ["", "param t: time = 3ms;"] {
+            let timed = |action: &str| {
+                if time.is_empty() {
+                    action.to_owned()
+                } else {
+                    action.replace("3ms", "t").replace("2ms", "t").replace("0ms", "t")
+                }
+            };
+            let chart = format!(
+                "sfc Timers {{ input a, b: bool; output q, p: bool; {time} initial step A {{ {} }} step B {{ p; {} }} step C {{ {} }} A -[a]-> B -[b]-> C -[!a]-> A; }}",
+                timed(third),
+                timed(first),
+                timed(second)
+            );
+            let program = text(&chart);
+            assert_eq!(program.contains("TMR.q.stage"), time.is_empty(), "{program}");
+            assert_eq!(program.contains("elapsed"), !time.is_empty(), "{program}");
+            each_left_out(&read(&chart), &storm(&["a", "b"], 300), 150);
+        }
+    }
+    for delay in ["3ms/a", "a/3ms", "2ms/a/4ms", "0ms/a/2ms", "2ms/(3ms/a/1ms)"] {
+        for dialect in ["sfc", "grafcet"] {
+            let chart = format!(
+                "{dialect} Delays {{ input a, b: bool; output q: bool; initial step A {{ q if {delay}; }} step B {{ q; }} A -[b && {delay}]-> B -[!({delay})]-> A; }}"
+            );
+            let program = text(&chart);
+            assert!(program.contains("delay0.stage") && !program.contains("elapsed"), "{program}");
+            each_left_out(&read(&chart), &storm(&["a", "b"], 300), 150);
+        }
+    }
+}
