@@ -31,7 +31,7 @@ pub enum Held {
     /// The same of a macro-step.
     MacroTime(MacroId),
     /// How long the active one of these steps, which blink so, has been active, but for whole periods.
-    Phase(Vec<StepId>, u32),
+    Phase(Vec<(StepId, u32)>),
     /// The same of a macro-step.
     MacroPhase(MacroId, u32),
     /// What a delay has seen in the last cycle.

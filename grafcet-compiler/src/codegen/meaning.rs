@@ -21,7 +21,7 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
         }
         Role::Time(region) | Role::Began(region) => Held::Time(steps(region)),
         Role::MacroTime(id) | Role::MacroBegan(id) => Held::MacroTime(id),
-        Role::Phase { region, period } => Held::Phase(blinking(program, region, period), period),
+        Role::Phase { region, period } => Held::Phase(blinking(program, region, period)),
         Role::MacroPhase { of, period } => Held::MacroPhase(of, period),
         Role::Edge(id) => Held::Edge(id),
         Role::ActionEdge(id) => Held::ActionEdge(id),
@@ -43,17 +43,16 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
     })
 }
 
-/// The steps of a region that blink with a period: beside others its phase means nothing.
-fn blinking(program: &Program<'_>, region: usize, period: u32) -> Vec<StepId> {
-    let mut steps = program.regions[region].clone();
-    let reads = program.model.expressions().concat();
-    let blinks = |step: &StepId| {
-        let has = |read: &Read| match read {
-            Read::Blink(blink) => blink.of == Blinker::Step(*step) && blink.period() == period,
-            _ => false,
-        };
-        reads.iter().any(has)
-    };
-    steps.retain(blinks);
-    steps
+/// The steps of a region that blink so: beside others its phase means nothing.
+fn blinking(program: &Program<'_>, region: usize, asked: Option<u32>) -> Vec<(StepId, u32)> {
+    let mut found = Vec::new();
+    for read in program.model.expressions().concat() {
+        let Read::Blink(blink) = read else { continue };
+        let (Blinker::Step(step), period) = (blink.of, blink.period()) else { continue };
+        let is_asked = asked.is_none_or(|asked| asked == period) && program.regions[region].contains(&step);
+        if is_asked && !found.contains(&(step, period)) {
+            found.push((step, period));
+        }
+    }
+    found
 }

@@ -62,7 +62,8 @@ pub enum Role {
     /// How far a period is since the activation of the active step of a region. Beside steps that do not blink so it means nothing.
     Phase {
         region: usize,
-        period: u32,
+        /// None where no step of the region blinks in two ways, so that one phase is enough.
+        period: Option<u32>,
     },
     /// The same of a macro-step.
     MacroPhase {

@@ -136,7 +136,7 @@ impl Lowering<'_, '_> {
             Blinker::Step(step) => {
                 let region = self.program.regions.iter().position(|steps| steps.contains(&step));
                 let region = region.ok_or_else(|| Refused("a step that is not stored".to_owned()))?;
-                Role::Phase { region, period }
+                Role::Phase { region, period: Some(period) }
             }
             Blinker::Macro(of) => Role::MacroPhase { of, period },
         };

@@ -116,7 +116,7 @@ impl Recall<'_> {
         for step in &recalled.steps {
             let time = since(recalled, &|held| match held {
                 Held::Time(steps) => steps.contains(step).then_some(None),
-                Held::Phase(steps, period) => steps.contains(step).then_some(Some(*period)),
+                Held::Phase(steps) => steps.iter().find(|(other, _)| other == step).map(|(_, period)| Some(*period)),
                 _ => None,
             });
             let time = time.ok_or_else(|| format!("how long `{}` has been active", model.steps[*step].name))?;

@@ -83,6 +83,7 @@ impl<'m> Lower<'_, 'm> {
         }
         let changes = changes(model, self.regions);
         let by_periods = self.by_periods(&changes);
+        self.common_phase = self.common_phases(&changes);
         for read in asked {
             match read {
                 Read::Since(step) | Read::Elapsed(_, step) => self.count(step, &changes),
@@ -192,22 +193,45 @@ impl<'m> Lower<'_, 'm> {
         let (period, role) = (blink.period(), self.phase_role(blink));
         let step = if let Blinker::Step(step) = blink.of { Some(step) } else { None };
         if let Some(phases) = self.phases.iter_mut().find(|phases| phases.role == role) {
-            phases.steps.extend(step.filter(|step| !phases.steps.contains(step)));
+            match phases.periods.iter_mut().find(|(other, _)| *other == period) {
+                Some((_, steps)) => steps.extend(step.filter(|step| !steps.contains(step))),
+                None => phases.periods.push((period, step.into_iter().list())),
+            }
             return;
         }
-        let name = match blink.of {
-            Blinker::Step(step) => self.region_name("state", self.regions.of_step(step)),
-            Blinker::Macro(id) => plain(&self.model.macros[id].name),
+        let name = match role {
+            Role::Phase { region, period: None } => self.region_name("phase", region),
+            Role::Phase { region, .. } => format!("phase.{}.{period}", self.region_name("state", region)),
+            Role::MacroPhase { of, .. } => format!("phase.{}.{period}", plain(&self.model.macros[of].name)),
+            _ => return,
         };
-        let phase = self.field(format!("phase.{name}.{period}"), role, Type::Ticks, time());
-        let reached = self.local(format!("reached.phase.{name}.{period}"), Type::Ticks);
-        self.phases.push(Phases { role, period, steps: step.into_iter().list(), phase, reached });
+        let phase = self.field(name.clone(), role, Type::Ticks, time());
+        let reached = self.local(format!("reached.{name}"), Type::Ticks);
+        self.phases.push(Phases { role, periods: vec![(period, step.into_iter().list())], phase, reached });
+    }
+
+    /// By region, whether none of its steps blinks in two ways.
+    fn common_phases(&self, changes: &Changes) -> Vec<bool> {
+        let mut all = vec![self.clocks == Clocks::Read; self.state.len()];
+        let blinks = |(of, change): &(Blinker, Change)| match (of, change) {
+            (Blinker::Step(step), Change::Blink(_, period)) => Some((*step, *period)),
+            _ => None,
+        };
+        let blinking = changes.iter().filter_map(blinks).list();
+        for (step, period) in &blinking {
+            all[self.regions.of_step(*step)] &= !blinking.iter().any(|(one, other)| one == step && other != period);
+        }
+        all
     }
 
     pub(super) fn phase_role(&self, blink: Blink) -> Role {
         let period = blink.period();
         match blink.of {
-            Blinker::Step(step) => Role::Phase { region: self.regions.of_step(step), period },
+            Blinker::Step(step) => {
+                let region = self.regions.of_step(step);
+                let is_common = self.common_phase.get(region).copied().unwrap_or_default();
+                Role::Phase { region, period: (!is_common).then_some(period) }
+            }
             Blinker::Macro(of) => Role::MacroPhase { of, period },
         }
     }

@@ -166,6 +166,8 @@ struct Lower<'r, 'm> {
     macro_time: Vec<Option<Clock>>,
     macro_reached: Vec<Option<PlaceId>>,
     phases: Vec<Phases>,
+    /// By region, whether none of its steps blinks in two ways, so that one phase is enough.
+    common_phase: Vec<bool>,
     /// Of the steps whose time tells how far a period is.
     periods: Vec<Periods>,
     /// The longest time that each is compared with.

@@ -46,9 +46,8 @@ pub(super) enum Followed {
 /// The phase of something that blinks since the activation of a region's step or of a macro-step.
 pub(super) struct Phases {
     pub(super) role: Role,
-    pub(super) period: u32,
-    /// The steps that blink so: beside others of the region the phase means nothing.
-    pub(super) steps: Vec<StepId>,
+    /// With the steps that blink so: beside others of the region the phase means nothing.
+    pub(super) periods: Vec<(u32, Vec<StepId>)>,
     pub(super) phase: PlaceId,
     /// `sfc`: before the evolution.
     pub(super) reached: PlaceId,
@@ -72,6 +71,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             macro_time: Vec::new(),
             macro_reached: Vec::new(),
             phases: Vec::new(),
+            common_phase: Vec::new(),
             periods: Vec::new(),
             longest: Vec::new(),
             outlasted: Set::new(),

@@ -32,14 +32,16 @@ impl<'m> Lower<'_, 'm> {
         when(&mut body, Expr::Place(self.first), begun);
         let Some(elapsed) = self.elapsed else { return body };
         for phases in &self.phases {
-            let (phase, passed) = (Expr::Place(phases.phase), Expr::Place(elapsed));
-            let on = Expr::Period(Box::new(phase), Box::new(passed), phases.period);
-            let counts = Statement::Set(phases.phase, on);
-            match phases.role {
-                Role::Phase { .. } => {
-                    when(&mut body, any(phases.steps.iter().map(|step| self.is(*step)).list()), vec![counts]);
+            for (period, steps) in &phases.periods {
+                let (phase, passed) = (Expr::Place(phases.phase), Expr::Place(elapsed));
+                let on = Expr::Period(Box::new(phase), Box::new(passed), *period);
+                let counts = Statement::Set(phases.phase, on);
+                match phases.role {
+                    Role::Phase { .. } => {
+                        when(&mut body, any(steps.iter().map(|step| self.is(*step)).list()), vec![counts]);
+                    }
+                    _ => body.push(counts),
                 }
-                _ => body.push(counts),
             }
         }
         body
@@ -78,11 +80,15 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         for phases in &self.phases {
-            let Role::Phase { region, .. } = phases.role else { continue };
-            let is_entered = if self.model.is_grafcet() {
-                all(vec![self.is_entered(region), any(phases.steps.iter().map(|step| self.is(*step)).list())])
+            let Role::Phase { region, period } = phases.role else { continue };
+            let steps = phases.periods.iter().flat_map(|(_, steps)| steps);
+            let is_entered = if period.is_none() {
+                // As the time of the region, whatever is entered.
+                self.is_entered(region)
+            } else if self.model.is_grafcet() {
+                all(vec![self.is_entered(region), any(steps.map(|step| self.is(*step)).list())])
             } else {
-                any(phases.steps.iter().map(|step| Expr::Place(self.entered[step.index()])).list())
+                any(steps.map(|step| Expr::Place(self.entered[step.index()])).list())
             };
             when(&mut body, is_entered, vec![Statement::Set(phases.phase, zero())]);
         }
