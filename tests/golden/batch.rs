@@ -22,21 +22,20 @@ pub struct Batch {
     region_0: __BatchRegion0,
     region_1: __BatchRegion1,
     settled: ::grafcet::__private::bool,
-    delay0_in: ::grafcet::__private::bool,
-    delay0_out: ::grafcet::__private::bool,
+    delay0_stage: ::grafcet::__private::u8,
     edge0_before: ::grafcet::__private::bool,
     was_q_heat: ::grafcet::__private::bool,
     acted_heat: ::grafcet::__private::u8,
     held_heat_3_: ::grafcet::__private::bool,
     held_stir_7_: ::grafcet::__private::bool,
     sd_ff_pump: ::grafcet::__private::bool,
-    sd_tmr_pump_in: ::grafcet::__private::bool,
+    sd_tmr_pump_stage: ::grafcet::__private::u8,
     count: ::grafcet::__private::core::primitive::u16,
     reading: ::grafcet::__private::Ticks,
     time_heat: ::grafcet::__private::Ticks,
     since_idle: ::grafcet::__private::Ticks,
     delay0_since: ::grafcet::__private::Ticks,
-    sd_tmr_pump_held: ::grafcet::__private::Ticks,
+    sd_tmr_pump_since: ::grafcet::__private::Ticks,
     params: BatchParams,
 }
 #[automatically_derived]
@@ -66,16 +65,15 @@ impl Batch {
             time_heat: ::grafcet::__private::Ticks::ZERO,
             since_idle: ::grafcet::__private::Ticks::ZERO,
             delay0_since: ::grafcet::__private::Ticks::ZERO,
-            delay0_in: false,
-            delay0_out: false,
+            delay0_stage: 0,
             edge0_before: true,
             was_q_heat: false,
             acted_heat: 0,
             held_heat_3_: false,
             held_stir_7_: false,
             sd_ff_pump: false,
-            sd_tmr_pump_held: ::grafcet::__private::Ticks::ZERO,
-            sd_tmr_pump_in: false,
+            sd_tmr_pump_since: ::grafcet::__private::Ticks::ZERO,
+            sd_tmr_pump_stage: 0,
             params: params_,
         }
     }
@@ -443,136 +441,130 @@ impl Batch {
             lamp: false,
             speed: 0,
         };
+        if inputs_.empty {
+            if self.delay0_stage == 3 {
+                self.delay0_stage = 2;
+            } else {
+                if self.delay0_stage == 0 {
+                    self.delay0_since = now_;
+                    self.delay0_stage = 1;
+                } else {
+                    if self.delay0_stage == 1
+                        && ::grafcet::__private::has_reached!(
+                            now_.since(self.delay0_since),
+                            ::grafcet::__private::Ticks::new(1000u32)
+                        )
+                    {
+                        self.delay0_stage = 2;
+                    }
+                }
+            }
+        } else {
+            if self.delay0_stage == 1 {
+                self.delay0_stage = 0;
+            } else {
+                if self.delay0_stage == 2 {
+                    self.delay0_since = now_;
+                    self.delay0_stage = 3;
+                } else {
+                    if self.delay0_stage == 3
+                        && ::grafcet::__private::has_reached!(
+                            now_.since(self.delay0_since),
+                            ::grafcet::__private::Ticks::new(500u32)
+                        )
+                    {
+                        self.delay0_stage = 0;
+                    }
+                }
+            }
+        }
+        ::grafcet::__private::core::sync::atomic::compiler_fence(
+            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
+        );
         let elapsed_: ::grafcet::__private::Ticks = now_.since(self.reading);
         self.reading = now_;
         ::grafcet::__private::fence_beyond_armv6m();
         self.time_heat = self.time_heat + elapsed_;
-        if inputs_.empty {
-            if !self.delay0_in {
-                self.delay0_since = self.reading;
-                self.delay0_in = true;
-            } else {
-                if !self.delay0_out
-                    && ::grafcet::__private::has_reached!(
-                        self.reading.since(self.delay0_since),
-                        ::grafcet::__private::Ticks::new(1000u32)
-                    )
-                {
-                    self.delay0_out = true;
-                }
-            }
-        } else {
-            if self.delay0_in {
-                self.delay0_since = self.reading;
-                self.delay0_in = false;
-            } else {
-                if self.delay0_out
-                    && ::grafcet::__private::has_reached!(
-                        self.reading.since(self.delay0_since),
-                        ::grafcet::__private::Ticks::new(500u32)
-                    )
-                {
-                    self.delay0_out = false;
-                }
-            }
-        }
-        let mut on_drain_10__: ::grafcet::__private::bool = false;
-        let mut any_69__: ::grafcet::__private::bool = false;
+        let mut any_68__: ::grafcet::__private::bool = false;
         match self.region_0 {
             __BatchRegion0::INIT => {
                 self.time_heat = ::grafcet::__private::Ticks::ZERO;
                 self.region_0 = __BatchRegion0::Idle;
-                any_69__ = true;
+                any_68__ = true;
             }
-            _ => {
-                match self.region_0 {
-                    __BatchRegion0::Idle => {
-                        if !self.edge0_before && inputs_.start {
-                            self.region_0 = __BatchRegion0::Fill;
-                            self.region_1 = __BatchRegion1::Heat;
-                            self.time_heat = ::grafcet::__private::Ticks::ZERO;
-                            self.count = {
-                                let count = self.count;
-                                count + 1
-                            };
-                            any_69__ = true;
-                        }
-                    }
-                    __BatchRegion0::Stir => {
-                        if ({
-                            let since_3_ = self.reading.since(self.since_idle);
-                            let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
-                            since_3_ >= ticks_2000_
-                        }) && self.delay0_out
+            __BatchRegion0::Idle => {
+                if !self.edge0_before && inputs_.start {
+                    self.region_0 = __BatchRegion0::Fill;
+                    self.region_1 = __BatchRegion1::Heat;
+                    self.time_heat = ::grafcet::__private::Ticks::ZERO;
+                    self.count = {
+                        let count = self.count;
+                        count + 1
+                    };
+                    any_68__ = true;
+                }
+            }
+            __BatchRegion0::Stir => {
+                if ({
+                    let since_3_ = self.reading.since(self.since_idle);
+                    let ticks_2000_ = ::grafcet::__private::Ticks::new(2000u32);
+                    since_3_ >= ticks_2000_
+                }) && self.delay0_stage >= 2
+                {
+                    self.region_0 = __BatchRegion0::Drain;
+                    {
+                        #[allow(unused_mut, unused_variables)]
+                        let mut count = self.count;
+                        #[allow(unused_braces)]
                         {
-                            self.region_0 = __BatchRegion0::Drain;
-                            on_drain_10__ = true;
-                            self.sd_ff_pump = false;
-                            {
-                                #[allow(unused_mut, unused_variables)]
-                                let mut count = self.count;
-                                #[allow(unused_braces)]
-                                {
-                                    if count > 3 {
-                                        count = 0;
-                                    }
-                                }
-                                self.count = count;
-                            }
-                            any_69__ = true;
-                        } else {
-                            if ::grafcet::__private::has_reached!(
-                                self.reading.since(self.since_idle),
-                                ::grafcet::__private::Ticks::new(2000u32)
-                            ) {
-                                self.since_idle = self
-                                    .reading
-                                    .since(::grafcet::__private::Ticks::new(2000u32));
+                            if count > 3 {
+                                count = 0;
                             }
                         }
+                        self.count = count;
                     }
-                    __BatchRegion0::Drain => {
-                        if {
-                            let level = inputs_.level;
-                            level == 0
-                        } {
-                            self.region_0 = __BatchRegion0::Idle;
-                            any_69__ = true;
-                        } else {
-                            on_drain_10__ = true;
-                        }
-                    }
-                    _ => {
-                        match self.region_1 {
-                            __BatchRegion1::Heat => {
-                                if inputs_.full && self.time_heat >= self.params.soak {
-                                    self.region_1 = __BatchRegion1::NONE;
-                                    self.region_0 = __BatchRegion0::Stir;
-                                    self.since_idle = self.reading;
-                                    self.sd_ff_pump = true;
-                                    any_69__ = true;
-                                }
-                            }
-                            _ => {}
-                        }
+                    any_68__ = true;
+                } else {
+                    if ::grafcet::__private::has_reached!(
+                        self.reading.since(self.since_idle),
+                        ::grafcet::__private::Ticks::new(2000u32)
+                    ) {
+                        self.since_idle = self
+                            .reading
+                            .since(::grafcet::__private::Ticks::new(2000u32));
                     }
                 }
-                self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
-                    self.sd_tmr_pump_held + elapsed_
-                } else {
-                    ::grafcet::__private::Ticks::ZERO
-                };
+            }
+            __BatchRegion0::Drain => {
+                if {
+                    let level = inputs_.level;
+                    level == 0
+                } {
+                    self.region_0 = __BatchRegion0::Idle;
+                    any_68__ = true;
+                }
+            }
+            _ => {
+                match self.region_1 {
+                    __BatchRegion1::Heat => {
+                        if inputs_.full && self.time_heat >= self.params.soak {
+                            self.region_1 = __BatchRegion1::NONE;
+                            self.region_0 = __BatchRegion0::Stir;
+                            self.since_idle = self.reading;
+                            any_68__ = true;
+                        }
+                    }
+                    _ => {}
+                }
             }
         }
         self.edge0_before = inputs_.start;
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
-        self.sd_tmr_pump_in = self.sd_ff_pump;
         let mut q_heat_: ::grafcet::__private::bool = false;
-        let mut on_heat_3__: ::grafcet::__private::bool = false;
-        let mut on_heat_5__: ::grafcet::__private::bool = false;
         let mut on_stir_7__: ::grafcet::__private::bool = false;
+        let mut on_drain_10__: ::grafcet::__private::bool = false;
         let mut on_drain_11__: ::grafcet::__private::bool = false;
         match self.region_0 {
             __BatchRegion0::Idle => {
@@ -580,28 +572,49 @@ impl Batch {
             }
             __BatchRegion0::Fill => {
                 outputs_.valve = true;
-                match self.region_1 {
-                    __BatchRegion1::Heat => {
-                        on_heat_3__ = true;
-                        on_heat_5__ = true;
-                        outputs_.lamp = outputs_.lamp
-                            || self.time_heat
-                                < ::grafcet::__private::Ticks::new(3000u32);
-                        q_heat_ = true;
-                        outputs_.speed = 10;
-                    }
-                    _ => {}
-                }
             }
             __BatchRegion0::Stir => {
                 on_stir_7__ = true;
                 q_heat_ = true;
+                self.sd_ff_pump = true;
             }
             __BatchRegion0::Drain => {
+                on_drain_10__ = true;
                 on_drain_11__ = {
                     let level = inputs_.level;
                     level > 3
                 };
+                self.sd_ff_pump = false;
+            }
+            _ => {}
+        }
+        if self.sd_ff_pump {
+            if self.sd_tmr_pump_stage == 0 {
+                self.sd_tmr_pump_since = self.reading;
+                self.sd_tmr_pump_stage = 1;
+            } else {
+                if self.sd_tmr_pump_stage == 1
+                    && ::grafcet::__private::has_reached!(
+                        self.reading.since(self.sd_tmr_pump_since),
+                        ::grafcet::__private::Ticks::new(2000u32)
+                    )
+                {
+                    self.sd_tmr_pump_stage = 2;
+                }
+            }
+        } else {
+            self.sd_tmr_pump_stage = 0;
+        }
+        let mut on_heat_3__: ::grafcet::__private::bool = false;
+        let mut on_heat_5__: ::grafcet::__private::bool = false;
+        match self.region_1 {
+            __BatchRegion1::Heat => {
+                on_heat_3__ = true;
+                on_heat_5__ = true;
+                outputs_.lamp = outputs_.lamp
+                    || self.time_heat < ::grafcet::__private::Ticks::new(3000u32);
+                q_heat_ = true;
+                outputs_.speed = 10;
             }
             _ => {}
         }
@@ -624,9 +637,7 @@ impl Batch {
             && (on_drain_11__
                 || on_heat_5__
                     && self.time_heat >= ::grafcet::__private::Ticks::new(1000u32)
-                || self.sd_ff_pump
-                    && self.sd_tmr_pump_held
-                        >= ::grafcet::__private::Ticks::new(2000u32));
+                || self.sd_tmr_pump_stage == 2);
         let mut opaque_ran_: ::grafcet::__private::bool = false;
         if by_leaving_heat_ {
             match self.acted_heat {
@@ -699,8 +710,8 @@ impl Batch {
             }
         }
         self.was_q_heat = q_heat_;
-        any_69__ = any_69__ || opaque_ran_;
-        self.settled = !any_69__;
+        any_68__ = any_68__ || opaque_ran_;
+        self.settled = !any_68__;
         outputs_
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
@@ -837,25 +848,30 @@ impl Batch {
                 ),
             );
         }
-        if self.delay0_in != self.delay0_out {
+        if self.delay0_stage == 1 {
             soonest_ = ::grafcet::__private::sooner(
                 soonest_,
                 ::grafcet::__private::Option::Some(
-                    (if self.delay0_in {
-                        ::grafcet::__private::Ticks::new(1000u32)
-                    } else {
-                        ::grafcet::__private::Ticks::new(500u32)
-                    }) - self.reading.since(self.delay0_since),
+                    ::grafcet::__private::Ticks::new(1000u32)
+                        - self.reading.since(self.delay0_since),
                 ),
             );
         }
-        if self.sd_tmr_pump_in
-            && self.sd_tmr_pump_held < ::grafcet::__private::Ticks::new(2000u32)
-        {
+        if self.delay0_stage == 3 {
             soonest_ = ::grafcet::__private::sooner(
                 soonest_,
                 ::grafcet::__private::Option::Some(
-                    ::grafcet::__private::Ticks::new(2000u32) - self.sd_tmr_pump_held,
+                    ::grafcet::__private::Ticks::new(500u32)
+                        - self.reading.since(self.delay0_since),
+                ),
+            );
+        }
+        if self.sd_tmr_pump_stage == 1 {
+            soonest_ = ::grafcet::__private::sooner(
+                soonest_,
+                ::grafcet::__private::Option::Some(
+                    ::grafcet::__private::Ticks::new(2000u32)
+                        - self.reading.since(self.sd_tmr_pump_since),
                 ),
             );
         }

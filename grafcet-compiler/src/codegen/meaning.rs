@@ -2,7 +2,7 @@
 
 use crate::held::Held;
 use crate::list::List;
-use crate::model::{AssociationId, Blinker, Read, StepId};
+use crate::model::AssociationId;
 use crate::program::{Program, Role};
 
 /// What a place of a program holds; none of what does not outlive a cycle, or is no part of what a chart does.
@@ -21,7 +21,7 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
         }
         Role::Time(region) | Role::Began(region) => Held::Time(steps(region)),
         Role::MacroTime(id) | Role::MacroBegan(id) => Held::MacroTime(id),
-        Role::Phase { region, period } => Held::Phase(blinking(program, region, period)),
+        Role::Phase { .. } => Held::Phase(program.phases.iter().find(|(other, _)| *other == role)?.1.clone()),
         Role::MacroPhase { of, period } => Held::MacroPhase(of, period),
         Role::Edge(id) => Held::Edge(id),
         Role::ActionEdge(id) => Held::ActionEdge(id),
@@ -41,18 +41,4 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
         Role::Acted(of) => Held::Acted(of, all()),
         Role::Held(of) => Held::KeptBy(of),
     })
-}
-
-/// The steps of a region that blink so: beside others its phase means nothing.
-fn blinking(program: &Program<'_>, region: usize, asked: Option<u32>) -> Vec<(StepId, u32)> {
-    let mut found = Vec::new();
-    for read in program.model.expressions().concat() {
-        let Read::Blink(blink) = read else { continue };
-        let (Blinker::Step(step), period) = (blink.of, blink.period()) else { continue };
-        let is_asked = asked.is_none_or(|asked| asked == period) && program.regions[region].contains(&step);
-        if is_asked && !found.contains(&(step, period)) {
-            found.push((step, period));
-        }
-    }
-    found
 }

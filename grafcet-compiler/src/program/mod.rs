@@ -72,6 +72,8 @@ pub struct Program<'m> {
     /// Which regions share a place.
     pub united: Vec<United>,
     pub search: Search,
+    /// By [`Role::Phase`]: the steps that blink by it, each with its period. Of others that blink their time tells.
+    pub phases: Vec<(Role, Vec<(StepId, u32)>)>,
     pub cycle: Vec<Statement<'m>>,
     /// Of a chart that says `forceable;`: the cycle that leads into a situation by hand (A38).
     pub forced: Option<Vec<Statement<'m>>>,

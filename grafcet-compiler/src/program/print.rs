@@ -201,6 +201,9 @@ impl Program<'_> {
     fn line(&self, statement: &Statement<'_>) -> Option<String> {
         let model = self.model;
         Some(match statement {
+            Statement::Set(place, Expr::Table(of, _)) if matches!(self.places[place.0].ty, Type::User(_)) => {
+                format!("{} = numbers({})", self.name(*place), self.name(*of))
+            }
             Statement::Set(place, value) => format!("{} = {}", self.name(*place), self.expr(value, binds::ALONE)),
             Statement::Break => "break".to_owned(),
             Statement::Fence(Fence::Memory) => "fence".to_owned(),

@@ -41,7 +41,6 @@ impl Beacon {
             __BeaconState::Rest => {
                 if inputs_.fault {
                     self.situation = __BeaconState::Alarm;
-                    self.phase_state_400_ = Ticks::ZERO;
                     outputs_ = const {
                         BeaconOutputs {
                             lamp: true,
@@ -51,15 +50,16 @@ impl Beacon {
                 }
             }
             __BeaconState::Alarm => {
-                self.phase_state_400_ = phase(
-                    self.phase_state_400_,
+                self.phase = phase(
+                    self.phase,
                     elapsed_,
                     Ticks::new(400u32),
                 );
                 if inputs_.ack {
                     self.situation = __BeaconState::Rest;
+                    self.phase = Ticks::ZERO;
                 } else {
-                    outputs_.lamp = self.phase_state_400_
+                    outputs_.lamp = self.phase
                         < Ticks::new(200u32);
                     outputs_.horn = now_.since(self.since)
                         < Ticks::new(60000u32);
@@ -105,12 +105,11 @@ impl Beacon {
             soonest_ = sooner(
                 soonest_,
                 Option::Some(
-                    (if self.phase_state_400_ < Ticks::new(200u32)
-                    {
+                    (if self.phase < Ticks::new(200u32) {
                         Ticks::new(200u32)
                     } else {
                         Ticks::new(400u32)
-                    }) - self.phase_state_400_,
+                    }) - self.phase,
                 ),
             );
         }

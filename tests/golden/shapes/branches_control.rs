@@ -36,151 +36,190 @@ impl Batch {
             heat: false,
             count: 0,
         };
-        let elapsed_: Ticks = now_.since(self.reading);
         self.reading = now_;
         fence_beyond_armv6m();
         let last_count_: core::primitive::u16 = self.count;
+        let passed_: Ticks = self.reading.since(self.since_idle);
         let mut by_leaving_stir_7__: bool = false;
         let mut on_stir_7__: bool = false;
-        let mut on_drain_8__: bool = false;
         let mut own_count_: core::primitive::u16 = 0;
         let mut written_count_: bool = false;
-        let mut any_59__: bool = false;
+        let mut any_58__: bool = false;
         match self.region_0 {
             __BatchRegion0::INIT => {
                 self.region_0 = __BatchRegion0::Idle;
                 self.since_heat = self.reading;
                 self.since_idle = self.reading;
-                any_59__ = true;
+                any_58__ = true;
+            }
+            __BatchRegion0::Idle => {
+                if inputs_.start {
+                    self.region_0 = __BatchRegion0::Fill;
+                    self.region_1 = __BatchRegion1::Heat;
+                    self.since_idle = self.reading;
+                    self.since_heat = self.reading;
+                    self.s_ff_lamp = false;
+                    outputs_.heat = true;
+                    by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
+                    self.count = {
+                        let count = last_count_;
+                        count + 1
+                    };
+                    any_58__ = true;
+                } else {
+                    outputs_.lamp = self.s_ff_lamp;
+                    by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
+                    if by_leaving_stir_7__ {
+                        own_count_ = last_count_;
+                        {
+                            #[allow(unused_mut, unused_variables)]
+                            let mut count = own_count_;
+                            let mut __written_count__ = false;
+                            #[allow(unused_braces)]
+                            {
+                                if count > 3 {
+                                    {
+                                        count = 0;
+                                        __written_count__ = true;
+                                    };
+                                }
+                            }
+                            if __written_count__ {
+                                own_count_ = count;
+                                written_count_ = true;
+                            }
+                        }
+                        if written_count_ {
+                            self.count = own_count_;
+                        }
+                    }
+                }
+            }
+            __BatchRegion0::Stir => {
+                if has_reached!(
+                    passed_, Ticks::new(2000u32)
+                ) {
+                    self.region_0 = __BatchRegion0::Drain;
+                    self.since_idle = self.reading;
+                    outputs_.lamp = self.s_ff_lamp;
+                    by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
+                    if by_leaving_stir_7__ {
+                        own_count_ = last_count_;
+                        {
+                            #[allow(unused_mut, unused_variables)]
+                            let mut count = own_count_;
+                            let mut __written_count__ = false;
+                            #[allow(unused_braces)]
+                            {
+                                if count > 3 {
+                                    {
+                                        count = 0;
+                                        __written_count__ = true;
+                                    };
+                                }
+                            }
+                            if __written_count__ {
+                                own_count_ = count;
+                                written_count_ = true;
+                            }
+                        }
+                        if written_count_ {
+                            self.count = own_count_;
+                        }
+                    }
+                    any_58__ = true;
+                } else {
+                    on_stir_7__ = true;
+                    outputs_.lamp = self.s_ff_lamp;
+                }
+            }
+            __BatchRegion0::Drain => {
+                if !inputs_.full {
+                    self.region_0 = __BatchRegion0::Idle;
+                    self.since_idle = self.reading;
+                    outputs_.lamp = self.s_ff_lamp;
+                    by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
+                    if by_leaving_stir_7__ {
+                        own_count_ = last_count_;
+                        {
+                            #[allow(unused_mut, unused_variables)]
+                            let mut count = own_count_;
+                            let mut __written_count__ = false;
+                            #[allow(unused_braces)]
+                            {
+                                if count > 3 {
+                                    {
+                                        count = 0;
+                                        __written_count__ = true;
+                                    };
+                                }
+                            }
+                            if __written_count__ {
+                                own_count_ = count;
+                                written_count_ = true;
+                            }
+                        }
+                        if written_count_ {
+                            self.count = own_count_;
+                        }
+                    }
+                    any_58__ = true;
+                } else {
+                    outputs_.lamp = self.s_ff_lamp
+                        || passed_ >= Ticks::new(1000u32);
+                    by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
+                    if by_leaving_stir_7__ {
+                        own_count_ = last_count_;
+                        {
+                            #[allow(unused_mut, unused_variables)]
+                            let mut count = own_count_;
+                            let mut __written_count__ = false;
+                            #[allow(unused_braces)]
+                            {
+                                if count > 3 {
+                                    {
+                                        count = 0;
+                                        __written_count__ = true;
+                                    };
+                                }
+                            }
+                            if __written_count__ {
+                                own_count_ = count;
+                                written_count_ = true;
+                            }
+                        }
+                        if written_count_ {
+                            self.count = own_count_;
+                        }
+                    }
+                    if has_reached!(
+                        passed_, Ticks::new(1000u32)
+                    ) {
+                        self.since_idle = self
+                            .reading
+                            .since(Ticks::new(1000u32));
+                    }
+                }
             }
             _ => {
-                match self.region_0 {
-                    __BatchRegion0::Idle => {
-                        if inputs_.start {
-                            self.region_0 = __BatchRegion0::Fill;
-                            self.region_1 = __BatchRegion1::Heat;
+                match self.region_1 {
+                    __BatchRegion1::Heat => {
+                        if inputs_.full
+                            && has_reached!(
+                                self.reading.since(self.since_heat),
+                                Ticks::new(5000u32)
+                            )
+                        {
+                            self.region_1 = __BatchRegion1::NONE;
+                            self.region_0 = __BatchRegion0::Stir;
                             self.since_idle = self.reading;
-                            self.since_heat = self.reading;
-                            self.s_ff_lamp = false;
-                            outputs_.heat = true;
-                            by_leaving_stir_7__ = self.was_q_stir_7_
-                                && self.held_stir_7_;
-                            self.count = {
-                                let count = last_count_;
-                                count + 1
-                            };
-                            any_59__ = true;
-                        } else {
-                            outputs_.lamp = self.s_ff_lamp;
-                            by_leaving_stir_7__ = self.was_q_stir_7_
-                                && self.held_stir_7_;
-                            if by_leaving_stir_7__ {
-                                own_count_ = last_count_;
-                                {
-                                    #[allow(unused_mut, unused_variables)]
-                                    let mut count = own_count_;
-                                    let mut __written_count__ = false;
-                                    #[allow(unused_braces)]
-                                    {
-                                        if count > 3 {
-                                            {
-                                                count = 0;
-                                                __written_count__ = true;
-                                            };
-                                        }
-                                    }
-                                    if __written_count__ {
-                                        own_count_ = count;
-                                        written_count_ = true;
-                                    }
-                                }
-                                if written_count_ {
-                                    self.count = own_count_;
-                                }
-                            }
-                        }
-                    }
-                    __BatchRegion0::Stir => {
-                        if has_reached!(
-                            self.reading.since(self.since_idle),
-                            Ticks::new(2000u32)
-                        ) {
-                            self.region_0 = __BatchRegion0::Drain;
-                            self.since_idle = self.reading;
-                            on_drain_8__ = true;
-                            self.sd_ff_pump = false;
-                            outputs_.lamp = self.s_ff_lamp;
-                            by_leaving_stir_7__ = self.was_q_stir_7_
-                                && self.held_stir_7_;
-                            if by_leaving_stir_7__ {
-                                own_count_ = last_count_;
-                                {
-                                    #[allow(unused_mut, unused_variables)]
-                                    let mut count = own_count_;
-                                    let mut __written_count__ = false;
-                                    #[allow(unused_braces)]
-                                    {
-                                        if count > 3 {
-                                            {
-                                                count = 0;
-                                                __written_count__ = true;
-                                            };
-                                        }
-                                    }
-                                    if __written_count__ {
-                                        own_count_ = count;
-                                        written_count_ = true;
-                                    }
-                                }
-                                if written_count_ {
-                                    self.count = own_count_;
-                                }
-                            }
-                            any_59__ = true;
-                        } else {
                             on_stir_7__ = true;
-                            self.sd_ff_pump = true;
                             outputs_.lamp = self.s_ff_lamp;
-                        }
-                    }
-                    __BatchRegion0::Drain => {
-                        if !inputs_.full {
-                            self.region_0 = __BatchRegion0::Idle;
-                            self.since_idle = self.reading;
-                            outputs_.lamp = self.s_ff_lamp;
-                            by_leaving_stir_7__ = self.was_q_stir_7_
-                                && self.held_stir_7_;
-                            if by_leaving_stir_7__ {
-                                own_count_ = last_count_;
-                                {
-                                    #[allow(unused_mut, unused_variables)]
-                                    let mut count = own_count_;
-                                    let mut __written_count__ = false;
-                                    #[allow(unused_braces)]
-                                    {
-                                        if count > 3 {
-                                            {
-                                                count = 0;
-                                                __written_count__ = true;
-                                            };
-                                        }
-                                    }
-                                    if __written_count__ {
-                                        own_count_ = count;
-                                        written_count_ = true;
-                                    }
-                                }
-                                if written_count_ {
-                                    self.count = own_count_;
-                                }
-                            }
-                            any_59__ = true;
+                            any_58__ = true;
                         } else {
-                            on_drain_8__ = true;
-                            self.sd_ff_pump = false;
-                            outputs_.lamp = self.s_ff_lamp
-                                || self.reading.since(self.since_idle)
-                                    >= Ticks::new(1000u32);
+                            self.s_ff_lamp = false;
+                            outputs_.heat = self.reading.since(self.since_heat)
+                                < Ticks::new(3000u32);
                             by_leaving_stir_7__ = self.was_q_stir_7_
                                 && self.held_stir_7_;
                             if by_leaving_stir_7__ {
@@ -208,115 +247,50 @@ impl Batch {
                                 }
                             }
                             if has_reached!(
-                                self.reading.since(self.since_idle),
-                                Ticks::new(1000u32)
+                                self.reading.since(self.since_heat),
+                                Ticks::new(5000u32)
                             ) {
-                                self.since_idle = self
+                                self.since_heat = self
                                     .reading
-                                    .since(Ticks::new(1000u32));
+                                    .since(Ticks::new(5000u32));
                             }
                         }
                     }
                     _ => {
-                        match self.region_1 {
-                            __BatchRegion1::Heat => {
-                                if inputs_.full
-                                    && has_reached!(
-                                        self.reading.since(self.since_heat),
-                                        Ticks::new(5000u32)
-                                    )
+                        self.s_ff_lamp = true;
+                        outputs_.lamp = true;
+                        by_leaving_stir_7__ = self.was_q_stir_7_ && self.held_stir_7_;
+                        if by_leaving_stir_7__ {
+                            own_count_ = last_count_;
+                            {
+                                #[allow(unused_mut, unused_variables)]
+                                let mut count = own_count_;
+                                let mut __written_count__ = false;
+                                #[allow(unused_braces)]
                                 {
-                                    self.region_1 = __BatchRegion1::NONE;
-                                    self.region_0 = __BatchRegion0::Stir;
-                                    self.since_idle = self.reading;
-                                    on_stir_7__ = true;
-                                    self.sd_ff_pump = true;
-                                    outputs_.lamp = self.s_ff_lamp;
-                                    any_59__ = true;
-                                } else {
-                                    self.s_ff_lamp = false;
-                                    outputs_.heat = self.reading.since(self.since_heat)
-                                        < Ticks::new(3000u32);
-                                    by_leaving_stir_7__ = self.was_q_stir_7_
-                                        && self.held_stir_7_;
-                                    if by_leaving_stir_7__ {
-                                        own_count_ = last_count_;
+                                    if count > 3 {
                                         {
-                                            #[allow(unused_mut, unused_variables)]
-                                            let mut count = own_count_;
-                                            let mut __written_count__ = false;
-                                            #[allow(unused_braces)]
-                                            {
-                                                if count > 3 {
-                                                    {
-                                                        count = 0;
-                                                        __written_count__ = true;
-                                                    };
-                                                }
-                                            }
-                                            if __written_count__ {
-                                                own_count_ = count;
-                                                written_count_ = true;
-                                            }
-                                        }
-                                        if written_count_ {
-                                            self.count = own_count_;
-                                        }
+                                            count = 0;
+                                            __written_count__ = true;
+                                        };
                                     }
-                                    if has_reached!(
-                                        self.reading.since(self.since_heat),
-                                        Ticks::new(5000u32)
-                                    ) {
-                                        self.since_heat = self
-                                            .reading
-                                            .since(Ticks::new(5000u32));
-                                    }
+                                }
+                                if __written_count__ {
+                                    own_count_ = count;
+                                    written_count_ = true;
                                 }
                             }
-                            _ => {
-                                self.s_ff_lamp = true;
-                                outputs_.lamp = true;
-                                by_leaving_stir_7__ = self.was_q_stir_7_
-                                    && self.held_stir_7_;
-                                if by_leaving_stir_7__ {
-                                    own_count_ = last_count_;
-                                    {
-                                        #[allow(unused_mut, unused_variables)]
-                                        let mut count = own_count_;
-                                        let mut __written_count__ = false;
-                                        #[allow(unused_braces)]
-                                        {
-                                            if count > 3 {
-                                                {
-                                                    count = 0;
-                                                    __written_count__ = true;
-                                                };
-                                            }
-                                        }
-                                        if __written_count__ {
-                                            own_count_ = count;
-                                            written_count_ = true;
-                                        }
-                                    }
-                                    if written_count_ {
-                                        self.count = own_count_;
-                                    }
-                                }
+                            if written_count_ {
+                                self.count = own_count_;
                             }
                         }
                     }
                 }
-                self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
-                    self.sd_tmr_pump_held + elapsed_
-                } else {
-                    Ticks::ZERO
-                };
             }
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        self.sd_tmr_pump_in = self.sd_ff_pump;
         self.held_stir_7_ = on_stir_7__;
         if on_stir_7__ {
             own_count_ = last_count_;
@@ -371,20 +345,42 @@ impl Batch {
         }
         let turned_: bool = self.was_q_stir_7_ != on_stir_7__;
         self.was_q_stir_7_ = on_stir_7__;
-        any_59__ = any_59__ || self.count != last_count_;
-        any_59__ = any_59__ || turned_;
-        self.settled = !any_59__;
+        any_58__ = any_58__ || self.count != last_count_;
+        any_58__ = any_58__ || turned_;
+        self.settled = !any_58__;
+        let mut on_fill_1__: bool = false;
+        let mut on_drain_8__: bool = false;
         match self.region_0 {
-            __BatchRegion0::Idle | __BatchRegion0::Stir | __BatchRegion0::Drain => {
-                outputs_.pump = !on_drain_8__ && self.sd_ff_pump
-                    && self.sd_tmr_pump_held
-                        >= Ticks::new(2000u32);
-            }
             __BatchRegion0::Fill => {
-                outputs_.pump = !on_drain_8__;
+                on_fill_1__ = true;
+            }
+            __BatchRegion0::Stir => {
+                self.sd_ff_pump = true;
+            }
+            __BatchRegion0::Drain => {
+                on_drain_8__ = true;
+                self.sd_ff_pump = false;
             }
             _ => {}
         }
+        if self.sd_ff_pump {
+            if self.sd_tmr_pump_stage == 0 {
+                self.sd_tmr_pump_since = self.reading;
+                self.sd_tmr_pump_stage = 1;
+            } else {
+                if self.sd_tmr_pump_stage == 1
+                    && has_reached!(
+                        self.reading.since(self.sd_tmr_pump_since),
+                        Ticks::new(2000u32)
+                    )
+                {
+                    self.sd_tmr_pump_stage = 2;
+                }
+            }
+        } else {
+            self.sd_tmr_pump_stage = 0;
+        }
+        outputs_.pump = !on_drain_8__ && (on_fill_1__ || self.sd_tmr_pump_stage == 2);
         outputs_.count = self.count;
         outputs_
     }
@@ -403,66 +399,65 @@ impl Batch {
             && self.reading.since(self.since_heat)
                 < Ticks::new(3000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(3000u32)
-                        - self.reading.since(self.since_heat),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(3000u32)
+                            - self.reading.since(self.since_heat),
+                    ),
             );
         }
         if self.region_1 == __BatchRegion1::Heat
             && self.reading.since(self.since_heat)
                 < Ticks::new(5000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(5000u32)
-                        - self.reading.since(self.since_heat),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(5000u32)
+                            - self.reading.since(self.since_heat),
+                    ),
             );
         }
         if self.region_0 == __BatchRegion0::Stir
             && self.reading.since(self.since_idle)
                 < Ticks::new(2000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(2000u32)
-                        - self.reading.since(self.since_idle),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(2000u32)
+                            - self.reading.since(self.since_idle),
+                    ),
             );
         }
         if self.region_0 == __BatchRegion0::Drain
             && self.reading.since(self.since_idle)
                 < Ticks::new(1000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(1000u32)
-                        - self.reading.since(self.since_idle),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(1000u32)
+                            - self.reading.since(self.since_idle),
+                    ),
             );
         }
-        if self.sd_tmr_pump_in
-            && self.sd_tmr_pump_held < Ticks::new(2000u32)
-        {
-            soonest_ = sooner(
+        if self.sd_tmr_pump_stage == 1 {
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(2000u32) - self.sd_tmr_pump_held,
-                ),
+                self.sd_tmr_pump_since.after(Ticks::new(2000u32)),
             );
         }
-        match soonest_ {
-            Option::Some(time_) => {
-                Option::Some(self.reading.after(time_))
-            }
-            Option::None => Option::None,
-        }
+        soonest_
     }
 }
 impl Batch {
@@ -544,11 +539,6 @@ impl Batch {
             if first_ {
                 self.region_0 = __BatchRegion0::Idle;
             }
-            let elapsed_: Ticks = if first_ {
-                Ticks::ZERO
-            } else {
-                now_.since(self.reading)
-            };
             self.reading = now_;
             if first_ {
                 self.since_idle = now_;
@@ -602,17 +592,31 @@ impl Batch {
             let on_drain_9__: bool = self.region_0
                 == __BatchRegion0::Drain;
             self.sd_ff_pump = !on_drain_8__ && (on_stir_6__ || self.sd_ff_pump);
-            self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
-                self.sd_tmr_pump_held + elapsed_
+            if self.sd_ff_pump {
+                if self.sd_tmr_pump_stage == 0 {
+                    self.sd_tmr_pump_since = now_;
+                    self.sd_tmr_pump_stage = if Ticks::ZERO
+                        >= Ticks::new(2000u32)
+                    {
+                        2
+                    } else {
+                        1
+                    };
+                } else {
+                    if self.sd_tmr_pump_stage == 1
+                        && has_reached!(
+                            now_.since(self.sd_tmr_pump_since),
+                            Ticks::new(2000u32)
+                        )
+                    {
+                        self.sd_tmr_pump_stage = 2;
+                    }
+                }
             } else {
-                Ticks::ZERO
-            };
-            self.sd_tmr_pump_in = self.sd_ff_pump;
+                self.sd_tmr_pump_stage = 0;
+            }
             let q_pump_: bool = !on_drain_8__
-                && (on_fill_1__
-                    || self.sd_tmr_pump_in
-                        && self.sd_tmr_pump_held
-                            >= Ticks::new(2000u32));
+                && (on_fill_1__ || self.sd_tmr_pump_stage == 2);
             self.s_ff_lamp = !on_heat_5__ && (on_fill_3__ || self.s_ff_lamp);
             let q_lamp_: bool = !on_heat_5__
                 && (self.s_ff_lamp

@@ -35,6 +35,46 @@ impl Kiln {
             count: 0,
             last: 0,
         };
+        if inputs_.hot {
+            if self.delay0_stage == 3 {
+                self.delay0_stage = 2;
+            } else {
+                if self.delay0_stage == 0 {
+                    self.delay0_since = now_;
+                    self.delay0_stage = 1;
+                } else {
+                    if self.delay0_stage == 1
+                        && has_reached!(
+                            now_.since(self.delay0_since),
+                            Ticks::new(1000u32)
+                        )
+                    {
+                        self.delay0_stage = 2;
+                    }
+                }
+            }
+        } else {
+            if self.delay0_stage == 1 {
+                self.delay0_stage = 0;
+            } else {
+                if self.delay0_stage == 2 {
+                    self.delay0_since = now_;
+                    self.delay0_stage = 3;
+                } else {
+                    if self.delay0_stage == 3
+                        && has_reached!(
+                            now_.since(self.delay0_since),
+                            Ticks::new(2000u32)
+                        )
+                    {
+                        self.delay0_stage = 0;
+                    }
+                }
+            }
+        }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
         let first_: bool = self.region_0 == __KilnRegion0::INIT;
         if first_ {
             self.region_0 = __KilnRegion0::Idle;
@@ -46,38 +86,9 @@ impl Kiln {
         };
         self.reading = now_;
         self.time_idle = self.time_idle + elapsed_;
-        if inputs_.hot {
-            if !self.delay0_in {
-                self.delay0_since = now_;
-                self.delay0_in = true;
-            } else {
-                if !self.delay0_out
-                    && has_reached!(
-                        now_.since(self.delay0_since),
-                        Ticks::new(1000u32)
-                    )
-                {
-                    self.delay0_out = true;
-                }
-            }
-        } else {
-            if self.delay0_in {
-                self.delay0_since = now_;
-                self.delay0_in = false;
-            } else {
-                if self.delay0_out
-                    && has_reached!(
-                        now_.since(self.delay0_since),
-                        Ticks::new(2000u32)
-                    )
-                {
-                    self.delay0_out = false;
-                }
-            }
-        }
         let inputs_ = core::hint::black_box(inputs_);
         loop {
-            let mut moves_31__: bool = false;
+            let mut moves_30__: bool = false;
             let mut next_count_: core::primitive::u16 = self.count;
             let mut next_last_: core::primitive::u16 = self.last;
             match self.region_0 {
@@ -94,7 +105,7 @@ impl Kiln {
                             let last = self.last;
                             last % 50 + 3
                         };
-                        moves_31__ = true;
+                        moves_30__ = true;
                         self.count = next_count_;
                         self.last = next_last_;
                         self.time_idle = Ticks::ZERO;
@@ -110,7 +121,7 @@ impl Kiln {
                             }) && !inputs_.next)
                     {
                         let clears_four_three_: bool = false;
-                        moves_31__ = true;
+                        moves_30__ = true;
                         self.time_idle = Ticks::ZERO;
                         self.region_1 = __KilnRegion1::NONE;
                         if clears_four_three_ {
@@ -135,7 +146,7 @@ impl Kiln {
                             __KilnRegion0::One => {
                                 if self.time_idle >= self.params.limit {
                                     self.region_0 = __KilnRegion0::Two;
-                                    moves_31__ = true;
+                                    moves_30__ = true;
                                     self.time_idle = Ticks::ZERO;
                                 }
                             }
@@ -148,7 +159,7 @@ impl Kiln {
                             __KilnRegion1::Three => {
                                 if inputs_.next {
                                     self.region_1 = __KilnRegion1::Four;
-                                    moves_31__ = true;
+                                    moves_30__ = true;
                                 }
                             }
                             __KilnRegion1::Four => {
@@ -168,7 +179,7 @@ impl Kiln {
                                         let last = self.last;
                                         last % 50 + 3
                                     };
-                                    moves_31__ = true;
+                                    moves_30__ = true;
                                     self.count = next_count_;
                                     self.last = next_last_;
                                 }
@@ -178,7 +189,7 @@ impl Kiln {
                     }
                 }
             }
-            if !moves_31__ {
+            if !moves_30__ {
                 break;
             }
             self.edge0_before = inputs_.start;
@@ -190,7 +201,7 @@ impl Kiln {
         self.edge0_before = inputs_.start;
         match self.region_0 {
             __KilnRegion0::One => {
-                outputs_.fire = self.delay0_out;
+                outputs_.fire = self.delay0_stage >= 2;
             }
             __KilnRegion0::Two => {
                 outputs_.fire = self.time_idle
@@ -229,15 +240,21 @@ impl Kiln {
                 ),
             );
         }
-        if self.delay0_in != self.delay0_out {
+        if self.delay0_stage == 1 {
             soonest_ = sooner(
                 soonest_,
                 Option::Some(
-                    (if self.delay0_in {
-                        Ticks::new(1000u32)
-                    } else {
-                        Ticks::new(2000u32)
-                    }) - self.reading.since(self.delay0_since),
+                    Ticks::new(1000u32)
+                        - self.reading.since(self.delay0_since),
+                ),
+            );
+        }
+        if self.delay0_stage == 3 {
+            soonest_ = sooner(
+                soonest_,
+                Option::Some(
+                    Ticks::new(2000u32)
+                        - self.reading.since(self.delay0_since),
                 ),
             );
         }
@@ -336,31 +353,39 @@ impl Kiln {
             self.time_idle = self.time_idle + elapsed_;
             let delay0_now_: bool = inputs_.hot;
             if delay0_now_ {
-                if !self.delay0_in {
-                    self.delay0_since = now_;
-                    self.delay0_in = true;
+                if self.delay0_stage == 3 {
+                    self.delay0_stage = 2;
                 } else {
-                    if !self.delay0_out
-                        && has_reached!(
-                            now_.since(self.delay0_since),
-                            Ticks::new(1000u32)
-                        )
-                    {
-                        self.delay0_out = true;
+                    if self.delay0_stage == 0 {
+                        self.delay0_since = now_;
+                        self.delay0_stage = 1;
+                    } else {
+                        if self.delay0_stage == 1
+                            && has_reached!(
+                                now_.since(self.delay0_since),
+                                Ticks::new(1000u32)
+                            )
+                        {
+                            self.delay0_stage = 2;
+                        }
                     }
                 }
             } else {
-                if self.delay0_in {
-                    self.delay0_since = now_;
-                    self.delay0_in = false;
+                if self.delay0_stage == 1 {
+                    self.delay0_stage = 0;
                 } else {
-                    if self.delay0_out
-                        && has_reached!(
-                            now_.since(self.delay0_since),
-                            Ticks::new(2000u32)
-                        )
-                    {
-                        self.delay0_out = false;
+                    if self.delay0_stage == 2 {
+                        self.delay0_since = now_;
+                        self.delay0_stage = 3;
+                    } else {
+                        if self.delay0_stage == 3
+                            && has_reached!(
+                                now_.since(self.delay0_since),
+                                Ticks::new(2000u32)
+                            )
+                        {
+                            self.delay0_stage = 0;
+                        }
                     }
                 }
             }
@@ -398,7 +423,7 @@ impl Kiln {
             let next_fire_: bool = was_state_idle_
                 == __KilnRegion0::One
                 && ({
-                    let delay_0_ = self.delay0_out;
+                    let delay_0_ = self.delay0_stage >= 2;
                     delay_0_
                 })
                 || was_state_idle_ == __KilnRegion0::Two

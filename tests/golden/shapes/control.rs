@@ -37,38 +37,48 @@ impl Works {
             lamp: false,
             count: 3,
         };
-        let elapsed_: Ticks = now_.since(self.reading);
-        self.reading = now_;
-        fence_beyond_armv6m();
         if inputs_.c {
-            if !self.delay0_in {
-                self.delay0_since = self.reading;
-                self.delay0_in = true;
+            if self.delay0_stage == 3 {
+                self.delay0_stage = 2;
             } else {
-                if !self.delay0_out
-                    && has_reached!(
-                        self.reading.since(self.delay0_since),
-                        Ticks::new(20u32)
-                    )
-                {
-                    self.delay0_out = true;
+                if self.delay0_stage == 0 {
+                    self.delay0_since = now_;
+                    self.delay0_stage = 1;
+                } else {
+                    if self.delay0_stage == 1
+                        && has_reached!(
+                            now_.since(self.delay0_since),
+                            Ticks::new(20u32)
+                        )
+                    {
+                        self.delay0_stage = 2;
+                    }
                 }
             }
         } else {
-            if self.delay0_in {
-                self.delay0_since = self.reading;
-                self.delay0_in = false;
+            if self.delay0_stage == 1 {
+                self.delay0_stage = 0;
             } else {
-                if self.delay0_out
-                    && has_reached!(
-                        self.reading.since(self.delay0_since),
-                        Ticks::new(30u32)
-                    )
-                {
-                    self.delay0_out = false;
+                if self.delay0_stage == 2 {
+                    self.delay0_since = now_;
+                    self.delay0_stage = 3;
+                } else {
+                    if self.delay0_stage == 3
+                        && has_reached!(
+                            now_.since(self.delay0_since),
+                            Ticks::new(30u32)
+                        )
+                    {
+                        self.delay0_stage = 0;
+                    }
                 }
             }
         }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
+        self.reading = now_;
+        fence_beyond_armv6m();
         match self.region_0 {
             __WorksRegion0::INIT => {
                 self.region_0 = __WorksRegion0::Idle;
@@ -79,7 +89,7 @@ impl Works {
                 let last_count_: core::primitive::u16 = self.count;
                 let mut turned_: bool = false;
                 let mut on_idle_1__: bool = false;
-                let mut any_68__: bool = false;
+                let mut any_66__: bool = false;
                 match self.region_0 {
                     __WorksRegion0::Idle => {
                         if !self.edge1_before && inputs_.a {
@@ -103,7 +113,7 @@ impl Works {
                                 };
                             }
                             self.was_q_four_9_ = false;
-                            any_68__ = true;
+                            any_66__ = true;
                         } else {
                             on_idle_1__ = true;
                             self.s_ff_held = false;
@@ -117,12 +127,13 @@ impl Works {
                             }
                             turned_ = self.was_q_four_9_;
                             self.was_q_four_9_ = false;
-                            any_68__ = turned_;
+                            any_66__ = turned_;
                         }
                     }
                     _ => {
                         if self.region_0 == __WorksRegion0::Two
-                            && self.region_1 == __WorksRegion1::Three && !self.delay0_out
+                            && self.region_1 == __WorksRegion1::Three
+                            && self.delay0_stage < 2
                             && (!inputs_.a
                                 || has_reached!(
                                     self.reading.since(self.since_idle),
@@ -141,7 +152,7 @@ impl Works {
                                 };
                             }
                             self.was_q_four_9_ = false;
-                            any_68__ = true;
+                            any_66__ = true;
                             self.region_1 = __WorksRegion1::NONE;
                             self.region_0 = __WorksRegion0::Idle;
                         } else {
@@ -157,7 +168,7 @@ impl Works {
                                         self.region_0 = __WorksRegion0::Two;
                                         self.since_idle = self.reading;
                                         outputs_.held = self.s_ff_held;
-                                        any_68__ = true;
+                                        any_66__ = true;
                                     } else {
                                         self.s_ff_held = true;
                                         outputs_.held = true;
@@ -196,7 +207,7 @@ impl Works {
                             match self.region_1 {
                                 __WorksRegion1::Three => {
                                     was_state_three_ = __WorksRegion1::Three;
-                                    if self.delay0_out {
+                                    if self.delay0_stage >= 2 {
                                         self.region_1 = __WorksRegion1::Four;
                                         self.since_three = self.reading;
                                         let q_four_9__: bool = !self
@@ -215,9 +226,9 @@ impl Works {
                                             }
                                         }
                                         self.was_q_four_9_ = q_four_9__;
-                                        any_68__ = true;
+                                        any_66__ = true;
                                     } else {
-                                        any_68__ = any_68__ || self.was_q_four_9_;
+                                        any_66__ = any_66__ || self.was_q_four_9_;
                                     }
                                 }
                                 __WorksRegion1::Four => {
@@ -229,7 +240,7 @@ impl Works {
                                             let count = self.count;
                                             count % 900 + 7
                                         };
-                                        any_68__ = true;
+                                        any_66__ = true;
                                     } else {
                                         if self.was_q_four_9_ {
                                             self.count = {
@@ -239,9 +250,9 @@ impl Works {
                                         }
                                         turned_ = self.was_q_four_9_;
                                         self.was_q_four_9_ = false;
-                                        any_68__ = any_68__
+                                        any_66__ = any_66__
                                             || !self.action_edge0_before && inputs_.b;
-                                        any_68__ = any_68__ || turned_;
+                                        any_66__ = any_66__ || turned_;
                                     }
                                 }
                                 _ => {}
@@ -267,7 +278,7 @@ impl Works {
                                     }
                                     turned_ = self.was_q_four_9_;
                                     self.was_q_four_9_ = false;
-                                    any_68__ = any_68__ || turned_;
+                                    any_66__ = any_66__ || turned_;
                                 }
                                 _ => {}
                             }
@@ -290,17 +301,26 @@ impl Works {
                         }
                     }
                 }
-                self.sd_tmr_late_held = if self.sd_ff_late && self.sd_tmr_late_in {
-                    self.sd_tmr_late_held + elapsed_
+                if self.sd_ff_late {
+                    if self.sd_tmr_late_stage == 0 {
+                        self.sd_tmr_late_since = self.reading;
+                        self.sd_tmr_late_stage = 1;
+                    } else {
+                        if self.sd_tmr_late_stage == 1
+                            && has_reached!(
+                                self.reading.since(self.sd_tmr_late_since),
+                                Ticks::new(2000u32)
+                            )
+                        {
+                            self.sd_tmr_late_stage = 2;
+                        }
+                    }
                 } else {
-                    Ticks::ZERO
-                };
-                self.sd_tmr_late_in = self.sd_ff_late;
-                any_68__ = any_68__ || self.count != last_count_;
-                outputs_.late = !on_idle_1__ && self.sd_ff_late
-                    && self.sd_tmr_late_held
-                        >= Ticks::new(2000u32);
-                self.settled = !any_68__;
+                    self.sd_tmr_late_stage = 0;
+                }
+                any_66__ = any_66__ || self.count != last_count_;
+                outputs_.late = !on_idle_1__ && self.sd_tmr_late_stage == 2;
+                self.settled = !any_66__;
             }
         }
         self.edge1_before = inputs_.a;
@@ -324,90 +344,91 @@ impl Works {
             && self.reading.since(self.since_idle)
                 < Ticks::new(40u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(40u32)
-                        - self.reading.since(self.since_idle),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(40u32)
+                            - self.reading.since(self.since_idle),
+                    ),
             );
         }
         if self.region_0 == __WorksRegion0::One
             && self.reading.since(self.since_idle)
                 < Ticks::new(16u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(16u32)
-                        - self.reading.since(self.since_idle),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(16u32)
+                            - self.reading.since(self.since_idle),
+                    ),
             );
         }
         if self.region_0 == __WorksRegion0::Two
             && self.reading.since(self.since_idle)
                 < Ticks::new(30u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(30u32)
-                        - self.reading.since(self.since_idle),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(30u32)
+                            - self.reading.since(self.since_idle),
+                    ),
             );
         }
         if self.region_0 == __WorksRegion0::Two
             && self.reading.since(self.since_idle)
                 < Ticks::new(4000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(4000u32)
-                        - self.reading.since(self.since_idle),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(4000u32)
+                            - self.reading.since(self.since_idle),
+                    ),
             );
         }
         if self.region_1 == __WorksRegion1::Three
             && self.reading.since(self.since_three)
                 < Ticks::new(20u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(20u32)
-                        - self.reading.since(self.since_three),
-                ),
-            );
-        }
-        if self.delay0_in != self.delay0_out {
-            soonest_ = sooner(
-                soonest_,
-                Option::Some(
-                    (if self.delay0_in {
+                self
+                    .reading
+                    .after(
                         Ticks::new(20u32)
-                    } else {
-                        Ticks::new(30u32)
-                    }) - self.reading.since(self.delay0_since),
-                ),
+                            - self.reading.since(self.since_three),
+                    ),
             );
         }
-        if self.sd_tmr_late_in
-            && self.sd_tmr_late_held < Ticks::new(2000u32)
-        {
-            soonest_ = sooner(
+        if self.delay0_stage == 1 {
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(2000u32) - self.sd_tmr_late_held,
-                ),
+                self.delay0_since.after(Ticks::new(20u32)),
             );
         }
-        match soonest_ {
-            Option::Some(time_) => {
-                Option::Some(self.reading.after(time_))
-            }
-            Option::None => Option::None,
+        if self.delay0_stage == 3 {
+            soonest_ = earlier(
+                soonest_,
+                self.delay0_since.after(Ticks::new(30u32)),
+            );
         }
+        if self.sd_tmr_late_stage == 1 {
+            soonest_ = earlier(
+                soonest_,
+                self.sd_tmr_late_since.after(Ticks::new(2000u32)),
+            );
+        }
+        soonest_
     }
 }
 impl Works {
@@ -490,11 +511,6 @@ impl Works {
             if first_ {
                 self.region_0 = __WorksRegion0::Idle;
             }
-            let elapsed_: Ticks = if first_ {
-                Ticks::ZERO
-            } else {
-                now_.since(self.reading)
-            };
             self.reading = now_;
             if first_ {
                 self.since_idle = now_;
@@ -504,31 +520,39 @@ impl Works {
             let was_state_three_: __WorksRegion1 = self.region_1;
             let delay0_now_: bool = inputs_.c;
             if delay0_now_ {
-                if !self.delay0_in {
-                    self.delay0_since = now_;
-                    self.delay0_in = true;
+                if self.delay0_stage == 3 {
+                    self.delay0_stage = 2;
                 } else {
-                    if !self.delay0_out
-                        && has_reached!(
-                            now_.since(self.delay0_since),
-                            Ticks::new(20u32)
-                        )
-                    {
-                        self.delay0_out = true;
+                    if self.delay0_stage == 0 {
+                        self.delay0_since = now_;
+                        self.delay0_stage = 1;
+                    } else {
+                        if self.delay0_stage == 1
+                            && has_reached!(
+                                now_.since(self.delay0_since),
+                                Ticks::new(20u32)
+                            )
+                        {
+                            self.delay0_stage = 2;
+                        }
                     }
                 }
             } else {
-                if self.delay0_in {
-                    self.delay0_since = now_;
-                    self.delay0_in = false;
+                if self.delay0_stage == 1 {
+                    self.delay0_stage = 0;
                 } else {
-                    if self.delay0_out
-                        && has_reached!(
-                            now_.since(self.delay0_since),
-                            Ticks::new(30u32)
-                        )
-                    {
-                        self.delay0_out = false;
+                    if self.delay0_stage == 2 {
+                        self.delay0_since = now_;
+                        self.delay0_stage = 3;
+                    } else {
+                        if self.delay0_stage == 3
+                            && has_reached!(
+                                now_.since(self.delay0_since),
+                                Ticks::new(30u32)
+                            )
+                        {
+                            self.delay0_stage = 0;
+                        }
                     }
                 }
             }
@@ -584,14 +608,31 @@ impl Works {
             self.s_ff_held = !on_idle_0__ && (on_one_3__ || self.s_ff_held);
             let q_held_: bool = !on_idle_0__ && self.s_ff_held;
             self.sd_ff_late = !on_idle_1__ && (on_one_4__ || self.sd_ff_late);
-            self.sd_tmr_late_held = if self.sd_ff_late && self.sd_tmr_late_in {
-                self.sd_tmr_late_held + elapsed_
+            if self.sd_ff_late {
+                if self.sd_tmr_late_stage == 0 {
+                    self.sd_tmr_late_since = now_;
+                    self.sd_tmr_late_stage = if Ticks::ZERO
+                        >= Ticks::new(2000u32)
+                    {
+                        2
+                    } else {
+                        1
+                    };
+                } else {
+                    if self.sd_tmr_late_stage == 1
+                        && has_reached!(
+                            now_.since(self.sd_tmr_late_since),
+                            Ticks::new(2000u32)
+                        )
+                    {
+                        self.sd_tmr_late_stage = 2;
+                    }
+                }
             } else {
-                Ticks::ZERO
-            };
-            self.sd_tmr_late_in = self.sd_ff_late;
-            let q_late_: bool = !on_idle_1__ && self.sd_tmr_late_in
-                && self.sd_tmr_late_held >= Ticks::new(2000u32);
+                self.sd_tmr_late_stage = 0;
+            }
+            let q_late_: bool = !on_idle_1__
+                && self.sd_tmr_late_stage == 2;
             self.ds_ff_slow = !on_idle_2__
                 && (on_three_8__
                     && now_.since(self.since_three)

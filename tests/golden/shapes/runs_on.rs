@@ -39,31 +39,30 @@ impl Burner {
             }
         };
         if !inputs_.flame {
-            if !self.delay0_in {
+            if self.delay0_stage == 0 {
                 self.delay0_since = now_;
-                self.delay0_in = true;
+                self.delay0_stage = 1;
             } else {
-                if !self.delay0_out
+                if self.delay0_stage == 1
                     && has_reached!(
                         now_.since(self.delay0_since),
                         Ticks::new(300u32)
                     )
                 {
-                    self.delay0_out = true;
+                    self.delay0_stage = 2;
                 }
             }
         } else {
-            self.delay0_in = false;
-            self.delay0_out = false;
+            self.delay0_stage = 0;
         }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
         let was_state_: __BurnerState = self.situation;
         self.before_state = self.situation;
-        let mut elapsed_: Ticks = now_.since(self.reading);
-        self.reading = now_;
         let passed_: Ticks = now_.since(self.since);
         match self.situation {
             __BurnerState::INIT => {
-                elapsed_ = Ticks::ZERO;
                 self.situation = __BurnerState::Standby;
             }
             __BurnerState::Standby => {
@@ -91,7 +90,7 @@ impl Burner {
                 }
             }
             __BurnerState::Low => {
-                if self.delay0_out {
+                if self.delay0_stage == 2 {
                     self.situation = __BurnerState::Failed;
                 } else {
                     if has_reached!(
@@ -102,7 +101,7 @@ impl Burner {
                 }
             }
             __BurnerState::High => {
-                if self.delay0_out {
+                if self.delay0_stage == 2 {
                     self.situation = __BurnerState::Failed;
                 } else {
                     if !inputs_.demand {
@@ -144,14 +143,24 @@ impl Burner {
             }
             _ => {}
         }
-        self.sd_tmr_pump_held = if self.sd_ff_pump && self.sd_tmr_pump_in {
-            self.sd_tmr_pump_held + elapsed_
+        if self.sd_ff_pump {
+            if self.sd_tmr_pump_stage == 0 {
+                self.sd_tmr_pump_since = now_;
+                self.sd_tmr_pump_stage = 1;
+            } else {
+                if self.sd_tmr_pump_stage == 1
+                    && has_reached!(
+                        now_.since(self.sd_tmr_pump_since),
+                        Ticks::new(500u32)
+                    )
+                {
+                    self.sd_tmr_pump_stage = 2;
+                }
+            }
         } else {
-            Ticks::ZERO
-        };
-        self.sd_tmr_pump_in = self.sd_ff_pump;
-        outputs_.pump = !on_standby_2__ && self.sd_tmr_pump_in
-            && self.sd_tmr_pump_held >= Ticks::new(500u32);
+            self.sd_tmr_pump_stage = 0;
+        }
+        outputs_.pump = !on_standby_2__ && self.sd_tmr_pump_stage == 2;
         outputs_
     }
     /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
@@ -165,66 +174,36 @@ impl Burner {
             return Option::Some(self.since);
         }
         let mut soonest_ = Option::None;
-        if self.situation == __BurnerState::Purge
-            && self.reading.since(self.since) < Ticks::new(2000u32)
-        {
-            soonest_ = sooner(
+        if self.situation == __BurnerState::Purge {
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(2000u32)
-                        - self.reading.since(self.since),
-                ),
+                self.since.after(Ticks::new(2000u32)),
             );
         }
-        if self.situation == __BurnerState::Ignite
-            && self.reading.since(self.since) < Ticks::new(1000u32)
-        {
-            soonest_ = sooner(
+        if self.situation == __BurnerState::Ignite {
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(1000u32)
-                        - self.reading.since(self.since),
-                ),
+                self.since.after(Ticks::new(1000u32)),
             );
         }
-        if self.situation == __BurnerState::Low
-            && self.reading.since(self.since) < Ticks::new(5000u32)
-        {
-            soonest_ = sooner(
+        if self.situation == __BurnerState::Low {
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(5000u32)
-                        - self.reading.since(self.since),
-                ),
+                self.since.after(Ticks::new(5000u32)),
             );
         }
-        if self.delay0_in != self.delay0_out {
-            soonest_ = sooner(
+        if self.delay0_stage == 1 {
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    (if self.delay0_in {
-                        Ticks::new(300u32)
-                    } else {
-                        Ticks::ZERO
-                    }) - self.reading.since(self.delay0_since),
-                ),
+                self.delay0_since.after(Ticks::new(300u32)),
             );
         }
-        if self.sd_tmr_pump_in
-            && self.sd_tmr_pump_held < Ticks::new(500u32)
-        {
-            soonest_ = sooner(
+        if self.sd_tmr_pump_stage == 1 {
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(500u32) - self.sd_tmr_pump_held,
-                ),
+                self.sd_tmr_pump_since.after(Ticks::new(500u32)),
             );
         }
-        match soonest_ {
-            Option::Some(time_) => {
-                Option::Some(self.reading.after(time_))
-            }
-            Option::None => Option::None,
-        }
+        soonest_
     }
 }

@@ -38,28 +38,30 @@ impl Stop {
                 red: false,
             }
         };
-        let was_state_: __StopState = self.situation;
-        self.before_state = self.situation;
         if inputs_.stop {
-            if !self.delay0_in {
+            if self.delay0_stage == 0 {
                 self.delay0_since = now_;
-                self.delay0_in = true;
+                self.delay0_stage = 1;
             } else {
-                if !self.delay0_out
+                if self.delay0_stage == 1
                     && has_reached!(
                         now_.since(self.delay0_since),
                         Ticks::new(200u32)
                     )
                 {
-                    self.delay0_out = true;
+                    self.delay0_stage = 2;
                 }
             }
         } else {
-            self.delay0_in = false;
-            self.delay0_out = false;
+            self.delay0_stage = 0;
         }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
+        let was_state_: __StopState = self.situation;
+        self.before_state = self.situation;
         let after_: __StopState;
-        if inputs_.stop && self.delay0_out
+        if inputs_.stop && self.delay0_stage == 2
             && core::matches!(
                 self.situation, __StopState::Idle | __StopState::Fill | __StopState::Heat
                 | __StopState::Hold | __StopState::Cool | __StopState::Drain
@@ -166,18 +168,10 @@ impl Stop {
                 self.since.after(Ticks::new(5000u32)),
             );
         }
-        if self.delay0_in != self.delay0_out {
+        if self.delay0_stage == 1 {
             soonest_ = earlier(
                 soonest_,
-                self
-                    .delay0_since
-                    .after(
-                        if self.delay0_in {
-                            Ticks::new(200u32)
-                        } else {
-                            Ticks::ZERO
-                        },
-                    ),
+                self.delay0_since.after(Ticks::new(200u32)),
             );
         }
         soonest_

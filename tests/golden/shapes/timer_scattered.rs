@@ -42,12 +42,10 @@ impl TimerScattered {
         };
         let was_state_: __TimerScatteredState = self.situation;
         self.before_state = self.situation;
-        let mut elapsed_: Ticks = now_.since(self.reading);
         self.reading = now_;
         let passed_: Ticks = now_.since(self.since);
         match self.situation {
             __TimerScatteredState::INIT => {
-                elapsed_ = Ticks::ZERO;
                 self.situation = __TimerScatteredState::Idle;
             }
             __TimerScatteredState::Idle => {
@@ -172,14 +170,24 @@ impl TimerScattered {
             }
             _ => {}
         }
-        self.sd_tmr_horn_held = if self.sd_ff_horn && self.sd_tmr_horn_in {
-            self.sd_tmr_horn_held + elapsed_
+        if self.sd_ff_horn {
+            if self.sd_tmr_horn_stage == 0 {
+                self.sd_tmr_horn_since = now_;
+                self.sd_tmr_horn_stage = 1;
+            } else {
+                if self.sd_tmr_horn_stage == 1
+                    && has_reached!(
+                        now_.since(self.sd_tmr_horn_since),
+                        Ticks::new(1000u32)
+                    )
+                {
+                    self.sd_tmr_horn_stage = 2;
+                }
+            }
         } else {
-            Ticks::ZERO
-        };
-        self.sd_tmr_horn_in = self.sd_ff_horn;
-        outputs_.horn = !on_idle_0__ && self.sd_tmr_horn_in
-            && self.sd_tmr_horn_held >= Ticks::new(1000u32);
+            self.sd_tmr_horn_stage = 0;
+        }
+        outputs_.horn = !on_idle_0__ && self.sd_tmr_horn_stage == 2;
         outputs_
     }
     /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
@@ -196,95 +204,100 @@ impl TimerScattered {
         if self.situation == __TimerScatteredState::Take
             && self.reading.since(self.since) < Ticks::new(2000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(2000u32)
-                        - self.reading.since(self.since),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(2000u32)
+                            - self.reading.since(self.since),
+                    ),
             );
         }
         if self.situation == __TimerScatteredState::Blow
             && self.reading.since(self.since) < Ticks::new(300u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(300u32)
-                        - self.reading.since(self.since),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(300u32)
+                            - self.reading.since(self.since),
+                    ),
             );
         }
         if self.situation == __TimerScatteredState::Blow
             && self.reading.since(self.since) < Ticks::new(400u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(400u32)
-                        - self.reading.since(self.since),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(400u32)
+                            - self.reading.since(self.since),
+                    ),
             );
         }
         if self.situation == __TimerScatteredState::Turn
             && self.reading.since(self.since) < Ticks::new(2000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(2000u32)
-                        - self.reading.since(self.since),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(2000u32)
+                            - self.reading.since(self.since),
+                    ),
             );
         }
         if self.situation == __TimerScatteredState::Place
             && self.reading.since(self.since) < Ticks::new(2000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(2000u32)
-                        - self.reading.since(self.since),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(2000u32)
+                            - self.reading.since(self.since),
+                    ),
             );
         }
         if self.situation == __TimerScatteredState::Clean
             && self.reading.since(self.since) < Ticks::new(300u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(300u32)
-                        - self.reading.since(self.since),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(300u32)
+                            - self.reading.since(self.since),
+                    ),
             );
         }
         if self.situation == __TimerScatteredState::Back
             && self.reading.since(self.since) < Ticks::new(2000u32)
         {
-            soonest_ = sooner(
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(2000u32)
-                        - self.reading.since(self.since),
-                ),
+                self
+                    .reading
+                    .after(
+                        Ticks::new(2000u32)
+                            - self.reading.since(self.since),
+                    ),
             );
         }
-        if self.sd_tmr_horn_in
-            && self.sd_tmr_horn_held < Ticks::new(1000u32)
-        {
-            soonest_ = sooner(
+        if self.sd_tmr_horn_stage == 1 {
+            soonest_ = earlier(
                 soonest_,
-                Option::Some(
-                    Ticks::new(1000u32) - self.sd_tmr_horn_held,
-                ),
+                self.sd_tmr_horn_since.after(Ticks::new(1000u32)),
             );
         }
-        match soonest_ {
-            Option::Some(time_) => {
-                Option::Some(self.reading.after(time_))
-            }
-            Option::None => Option::None,
-        }
+        soonest_
     }
 }

@@ -169,6 +169,22 @@ impl<'m> Printer<'_, 'm> {
         (declared, found)
     }
 
+    /// A number for each state of a place. None is out of the table's bounds, which LLVM knows.
+    pub(super) fn numbers(&self, number: PlaceId, place: PlaceId, table: &[(Value, Value)]) -> TokenStream {
+        let (p, state, ty) = (&self.cx.p, self.get(place), self.ty(number));
+        let of_state: Map<Value, Value> = table.iter().copied().collect();
+        let states = self.layout.states(self.program, self.program.places[place.0].ty);
+        let length = Literal::usize_suffixed(states.len());
+        let mut numbers = Vec::new();
+        for state in states {
+            numbers.push(self.constant(*of_state.get(&state).unwrap_or(&Value::Int(0)), Type::Number));
+        }
+        quote!({
+            const NUMBERS: [#ty; #length] = [#(#numbers),*];
+            match <[_]>::get(&NUMBERS, #state as #p::usize) { #p::Option::Some(found_) => *found_, #p::Option::None => NUMBERS[0] }
+        })
+    }
+
     /// What a table has for the state of a place. None is out of its bounds, which LLVM knows.
     /// What it does not have is the state itself, or no time.
     fn table(&self, place: PlaceId, table: &[(Value, Value)]) -> TokenStream {

@@ -83,6 +83,7 @@ impl<'m> Printer<'_, 'm> {
             Statement::Set(place, value) => {
                 let (kinds, tokens) = match (self.info(*place).ty, value) {
                     (ty @ Type::Kind { .. }, Expr::Table(of, table)) => self.kinds(ty, *of, table),
+                    (Type::User(_), Expr::Table(of, table)) => (TokenStream::new(), self.numbers(*place, *of, table)),
                     _ => (TokenStream::new(), self.set_to(*place, value)),
                 };
                 if !lines.scope.declares[number] {

@@ -82,13 +82,12 @@ impl<'m> Lower<'_, 'm> {
             self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));
         }
         let changes = changes(model, self.regions);
-        let by_periods = self.by_periods(&changes);
         self.common_phase = self.common_phases(&changes);
         for read in asked {
             match read {
                 Read::Since(step) | Read::Elapsed(_, step) => self.count(step, &changes),
                 Read::MacroSince(id) | Read::MacroElapsed(_, id) => self.count_macro(id, &changes),
-                Read::Blink(blink) => self.count_blink(blink, &changes, &by_periods),
+                Read::Blink(blink) => self.count_blink(blink, &changes),
                 _ => {}
             }
         }
@@ -176,14 +175,11 @@ impl<'m> Lower<'_, 'm> {
     }
 
     /// Of what blinks the time of its step tells how far the period is, where that is the reading at which it became active.
-    fn count_blink(&mut self, blink: Blink, changes: &Changes, by_periods: &[bool]) {
-        if let (Blinker::Step(step), Some(region)) = (blink.of, self.region_of(blink.of)) {
-            if by_periods[region] {
+    fn count_blink(&mut self, blink: Blink, changes: &Changes) {
+        if let Blinker::Step(step) = blink.of {
+            if self.note_periods(step, changes) {
                 self.count(step, changes);
-                if let Some(Clock::Began(_)) = self.time[region] {
-                    self.note_periods(step, changes);
-                    return;
-                }
+                return;
             }
         }
         self.count_phase(blink);

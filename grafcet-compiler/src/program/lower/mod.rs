@@ -122,6 +122,7 @@ fn program<'m>(model: &'m Model, facts: &Facts<'_>, regions: &Regions, clocks: C
         is_one_evolution: searches.ends.always(),
         excluding,
     };
+    let phases = lower.phases.iter().map(Phases::steps).list();
     Ok(Program {
         model,
         places: lower.places,
@@ -131,6 +132,7 @@ fn program<'m>(model: &'m Model, facts: &Facts<'_>, regions: &Regions, clocks: C
         meetings: Vec::new(),
         united: Vec::new(),
         search,
+        phases,
         cycle,
         forced,
         plants: Vec::new(),

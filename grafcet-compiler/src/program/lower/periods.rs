@@ -6,9 +6,9 @@
 //!                    └─────────────┘   here it stays, however long the step is active
 //! ```
 
-use super::Lower;
 use super::changes::{Change, Changes};
-use super::clocks::{HIGHEST, literal};
+use super::clocks::{Clock, HIGHEST, literal};
+use super::{Clocks, Lower};
 use crate::model::{Blink, Blinker, StepId};
 use crate::program::build::{add, all, less, not, ticks, when, zero};
 use crate::program::{Expr, Statement};
@@ -29,23 +29,12 @@ pub(super) struct Periods {
 }
 
 impl<'m> Lower<'_, 'm> {
-    /// By region, whether the time of each of its steps that blinks tells how far its periods are. What a recorded state says of a time is then one thing or the
-    /// other.
-    pub(super) fn by_periods(&self, changes: &Changes) -> Vec<bool> {
-        let mut fits = vec![self.clocks == super::Clocks::Read; self.state.len()];
-        for (of, change) in changes {
-            if let (Change::Blink(..), Blinker::Step(step)) = (change, of) {
-                fits[self.regions.of_step(*step)] &= Periods::of(*step, changes).is_some();
-            }
-        }
-        fits
-    }
-
-    /// Notes the periods of a step whose time tells how far they are.
-    pub(super) fn note_periods(&mut self, step: StepId, changes: &Changes) {
-        if self.periods_of(step).is_none() {
+    /// Notes the periods of a step whose time tells how far they are. Whether it does.
+    pub(super) fn note_periods(&mut self, step: StepId, changes: &Changes) -> bool {
+        if self.periods_of(step).is_none() && self.clocks == Clocks::Read {
             self.periods.extend(Periods::of(step, changes));
         }
+        self.periods_of(step).is_some()
     }
 
     pub(super) fn periods_of(&self, step: StepId) -> Option<Periods> {
@@ -60,7 +49,10 @@ impl<'m> Lower<'_, 'm> {
             let Some(clock) = self.clock(of) else { continue };
             let phase = phase(clock.passed(Expr::Now), periods.period);
             let left = if periods.first == 0 { phase } else { add(ticks(periods.first), phase) };
-            let anew = Expr::Since(Box::new(Expr::Now), Box::new(left));
+            let anew = match clock {
+                Clock::Began(_) => Expr::Since(Box::new(Expr::Now), Box::new(left)),
+                Clock::Counted(_) => left,
+            };
             let end = periods.first + periods.period;
             when(&mut body, self.is_over(of, end), vec![Statement::Set(clock.place(), anew)]);
         }
@@ -77,13 +69,13 @@ impl<'m> Lower<'_, 'm> {
 }
 
 impl Periods {
-    /// None where there are too many of them to look through.
+    /// None where there are too many of them to look through, or something else is asked of the time than how it compares with literals.
     fn of(step: StepId, changes: &Changes) -> Option<Self> {
         let (mut longest, mut blinks) = (0, Vec::new());
         for (_, change) in changes.iter().filter(|(of, _)| *of == Blinker::Step(step)) {
-            longest = literal(*change).unwrap_or(0).max(longest);
-            if let Change::Blink(on, period) = change {
-                blinks.push((*on, *period));
+            match change {
+                Change::Blink(on, period) => blinks.push((*on, *period)),
+                other => longest = literal(*other)?.max(longest),
             }
         }
         let shortest = blinks.iter().map(|(_, period)| *period).min()?;

@@ -43,6 +43,14 @@ pub(super) enum Followed {
     Read { stage: PlaceId, began: PlaceId },
 }
 
+impl Phases {
+    /// Of which steps it says how far their period is.
+    pub(super) fn steps(&self) -> (Role, Vec<(StepId, u32)>) {
+        let all = self.periods.iter().flat_map(|(period, steps)| steps.iter().map(|step| (*step, *period)));
+        (self.role, all.list())
+    }
+}
+
 /// The phase of something that blinks since the activation of a region's step or of a macro-step.
 pub(super) struct Phases {
     pub(super) role: Role,

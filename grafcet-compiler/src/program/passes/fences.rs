@@ -151,7 +151,12 @@ fn scan(program: &mut Program<'_>) {
     let fence = Statement::Fence(if is_small || is_wide { Fence::Memory } else { Fence::Armv6m });
     match table {
         Some(at) => program.cycle.insert(at, fence),
-        None if first < last => program.cycle.insert(last, fence),
+        None if first < last => {
+            // Tables of numbers ask for the state, too.
+            let is_table = |one: &&Statement<'_>| matches!(one, Statement::Set(_, Expr::Table(..)));
+            let tables = program.cycle[..last].iter().rev().take_while(is_table).count();
+            program.cycle.insert(last - tables, fence);
+        }
         None => {}
     }
 }

@@ -33,6 +33,7 @@
 //! - `passed`: a time is computed once for all states that ask for it
 //! - `records`: few outputs are one constant in each state
 //! - `working`: while a search goes on, the state is a local
+//! - `numbers`: a number that the active step tells comes from a table
 //! - `kinds`: in a long chart a table says what there is to do in a state
 //! - `nested`: what one region does stands with the states of another one beside which it does something
 //! - `united`: regions that have few states together share one place
@@ -80,6 +81,7 @@ mod many;
 mod moved;
 mod nested;
 mod next;
+mod numbers;
 mod once;
 mod order;
 mod outputs;
@@ -163,6 +165,7 @@ passes! {
     Passed,
     Records,
     Working,
+    Numbers,
     Kinds,
     Nested,
     United,
@@ -268,6 +271,7 @@ fn apply(pass: Pass, program: &mut Program<'_>, wants: &dyn Fn(Pass) -> bool) {
         Pass::Passed => passed::pass(program),
         Pass::Records => records::pass(program),
         Pass::Working => working::pass(program),
+        Pass::Numbers => numbers::pass(program),
         Pass::Kinds => kinds::pass(program),
         Pass::Nested => nested::pass(program),
         Pass::United => united::pass(program),

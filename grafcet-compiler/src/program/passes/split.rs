@@ -305,7 +305,7 @@ impl Split {
         }
         starting::as_state(program, self.state, self.first, self.begin);
         if options.told {
-            told::pass(program, &self.fields, &mut trees);
+            told::pass(program, &self.fields, &mut trees, [source.front, source.tail]);
         }
         let [mut front, after] = if options.moved {
             let (points, fields) = (&*self.points.all, &*self.fields);

@@ -22,8 +22,13 @@ use super::sparse::States;
 use super::uses::{Effects, blocks, each_read, mentions, reads_from};
 use crate::sorted::{Map, Set};
 
-/// The trees know at the end of each way what the fields hold.
-pub(super) fn pass<'m>(program: &mut Program<'m>, fields: &[PlaceId], trees: &mut [Option<Tree<'m>>]) {
+/// The trees know at the end of each way what the fields hold; `outside` stands in front of them, and after them.
+pub(super) fn pass<'m>(
+    program: &mut Program<'m>,
+    fields: &[PlaceId],
+    trees: &mut [Option<Tree<'m>>],
+    outside: [&[Statement<'m>]; 2],
+) {
     let mut candidates = Vec::new();
     for (at, field) in fields.iter().enumerate() {
         if let Some(values) = is_candidate(program, *field).then(|| values_of(trees, at)).flatten() {
@@ -33,6 +38,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, fields: &[PlaceId], trees: &mu
     let mut other = Other::default();
     if !candidates.is_empty() {
         trees.iter().flatten().for_each(|tree| other.add(tree));
+        outside.into_iter().for_each(|statements| other.add_all(statements));
     }
     for (at, field, begins) in candidates {
         if !other.0.contains(&field) {

@@ -77,6 +77,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Passed, &wash()),
         (Pass::Records, lamp),
         (Pass::Working, stairs),
+        (Pass::Numbers, &programme()),
         (Pass::Kinds, &crossed_belt()),
         (Pass::Nested, PLANT),
         (Pass::United, BOXES),
@@ -154,6 +155,18 @@ fn fences_stand_by_the_shape_of_an_evolution() {
         assert!(text.contains(there), "{there}\n{text}");
         assert!(elsewhere.is_none_or(|elsewhere| !text.contains(elsewhere)), "{elsewhere:?}\n{text}");
     }
+}
+
+/// Ten steps, each with a number that is shown.
+fn programme() -> String {
+    let mut text = "sfc Programme { input a, b: bool; output phase: u8 = 9; output p: bool; ".to_owned();
+    for step in 0..10 {
+        let (initial, on) = (if step == 0 { "initial " } else { "" }, (step + 1) % 10);
+        let phase = if step % 4 == 3 { String::new() } else { format!("phase = {};", step / 2) };
+        _ = write!(text, "{initial}step S{step} {{ {phase} {} }} ", ["", "p;", ""][step % 3]);
+        _ = write!(text, "S{step} -[{}]-> S{on}; ", ["a", "b && !a", "!b"][step % 3]);
+    }
+    text + "}"
 }
 
 /// Two branches by time, of which one has a step that stays active beyond it.
