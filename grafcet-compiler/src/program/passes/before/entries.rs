@@ -235,11 +235,16 @@ impl<'m> EntrySearch<'_, 'm> {
         }
     }
 
-    /// What a condition says of states that no way has written yet.
+    /// What a condition says of states that no way has written yet, and of what is gathered.
     fn narrow(&self, condition: &Expr<'m>, holds: bool, way: &mut Happened) {
         match condition {
             Expr::Is(place, steps) => self
                 .keep(*place, way, &|value| matches!(value, Value::Step(Some(step)) if steps.contains(&step)) == holds),
+            Expr::Place(place) => {
+                if let Some(bit) = self.gathers(*place) {
+                    way.done.retain(|done| (done & bit != 0) == holds);
+                }
+            }
             Expr::Not(inner) => self.narrow(inner, !holds, way),
             Expr::All(parts) if holds => parts.iter().for_each(|part| self.narrow(part, true, way)),
             Expr::Any(parts) if !holds => parts.iter().for_each(|part| self.narrow(part, false, way)),
@@ -259,11 +264,10 @@ impl<'m> EntrySearch<'_, 'm> {
             return Some(());
         }
         if let Some(bit) = self.gathers(place) {
-            if way.done.iter().all(|done| self.truth(value, *done).is_some()) {
-                way.each(&|done| vec![with(done, bit, self.truth(value, done) == Some(true))]);
-            } else {
-                way.each(&|done| vec![done & !bit, done | bit]);
-            }
+            way.each(&|done| match self.truth(value, done) {
+                Some(truth) => vec![with(done, bit, truth)],
+                None => vec![done & !bit, done | bit],
+            });
             return Some(());
         }
         if let Some(at) = self.region(place) {
@@ -271,11 +275,11 @@ impl<'m> EntrySearch<'_, 'm> {
             let possible = way.possible[at].take()?;
             let from =
                 self.states[at].iter().zip(possible).filter(|(_, possible)| *possible).map(|(value, _)| *value).list();
-            if from.contains(to) {
-                return None;
-            }
             let entered = if step.is_some() { Self::entered(at) } else { 0 };
-            way.each(&|done| vec![done | MOVED | entered]);
+            let moves = MOVED | entered;
+            // Where it may be there already, another region has to tell.
+            let may_rest = from.contains(to);
+            way.each(&|done| if may_rest { vec![done, done | moves] } else { vec![done | moves] });
             self.entries.push((from, *to));
             return Some(());
         }

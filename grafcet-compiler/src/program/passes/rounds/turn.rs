@@ -301,7 +301,8 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         match &tree.end {
             End::Leaf(leaf) => {
                 self.left.set(self.left.get().checked_sub(1)?);
-                let mut env = Env { facts: leaf.facts.clone(), lists: lists.to_vec(), later: Set::new() };
+                let mut env =
+                    Env { facts: leaf.facts.clone(), lists: lists.to_vec(), later: Set::new(), only: Vec::new() };
                 // By what else is known ends would differ that do the same.
                 env.facts[self.free.moves.0] = Fact::Nothing;
                 ends.push(self.from(led, env)?);

@@ -3,6 +3,7 @@
 use super::super::engine::{Among, Fact};
 use super::super::fold::initial;
 use crate::list::List;
+use crate::model::StepId;
 use crate::program::{PlaceId, PlaceInfo, Type, Value};
 use crate::sorted::Set;
 
@@ -13,6 +14,8 @@ pub(in super::super) struct Env {
     pub(in super::super) lists: Vec<Among>,
     /// What is read after them.
     pub(in super::super) later: Set<PlaceId>,
+    /// Truths that hold in some states of a region alone: the truth, the place of the state, the steps.
+    pub(in super::super) only: Vec<(PlaceId, PlaceId, Vec<StepId>)>,
 }
 
 impl Env {
@@ -26,7 +29,7 @@ impl Env {
                 _ => Fact::Initial,
             });
         }
-        Self { facts, lists: Vec::new(), later: Set::new() }
+        Self { facts, lists: Vec::new(), later: Set::new(), only: Vec::new() }
     }
 
     pub(super) fn among(&mut self, states: Among) -> Fact {

@@ -264,7 +264,9 @@ impl<'m> Several<'_, 'm> {
                     known.push((*truth, false));
                 }
             }
-            let mut env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later: env.later.clone() };
+            let (later, only) = (env.later.clone(), env.only.clone());
+            let mut env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later, only };
+            self.tell_only(&before, &mut env);
             self.narrow(&unasked, &mut env);
             let mut way = self.spec(&rest, &env);
             known.retain(|(place, _)| env.later.contains(place) || self.read_after.contains(*place));

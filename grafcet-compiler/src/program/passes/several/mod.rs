@@ -293,6 +293,29 @@ impl<'p, 'm> Several<'p, 'm> {
                 *fact = after;
             }
         }
+        self.tell_only(list, env);
+    }
+
+    /// Which truths of some statements hold in some states of a region alone.
+    pub(super) fn tell_only(&self, list: &[Statement<'m>], env: &mut Env) {
+        let writes = Effects::of_all(list).writes;
+        env.only.retain(|(truth, state, _)| !writes.contains(truth) && !writes.contains(state));
+        for statement in list {
+            let Statement::Set(truth, value) = statement else { continue };
+            let parts = if let Expr::All(parts) = value { &parts[..] } else { std::slice::from_ref(value) };
+            let again = |one: &Statement<'m>| !std::ptr::eq(one, statement) && writes_to(one, *truth);
+            if self.places[truth.0].is_field || list.iter().any(again) {
+                continue;
+            }
+            for part in parts {
+                match part {
+                    Expr::Is(state, steps) if !writes.contains(state) => {
+                        env.only.push((*truth, *state, steps.clone()));
+                    }
+                    _ => {}
+                }
+            }
+        }
     }
 
     fn engine<'e>(&'e self, list: &'e [Statement<'m>], index: &'e Index, region: usize, env: &Env) -> Engine<'e, 'm> {

@@ -201,6 +201,12 @@ impl<'m> Several<'_, 'm> {
                     known.push((self.states[other], engine.among(states)));
                 }
             }
+            for (truth, of, steps) in &env.only {
+                let is_state = *of == state || env.facts[of.0] == Fact::Copy(state);
+                if is_state && env.facts[truth.0] == Fact::Nothing && !step.is_some_and(|step| steps.contains(&step)) {
+                    known.push((*truth, Fact::Is(Value::Bool(false))));
+                }
+            }
             let point = points.point(Value::Step(*step))?;
             let mut tree = engine.from(point, &known, WAYS).ok()?;
             tree.each_leaf_mut(&mut |leaf| Live::with(&self.read_after, later.clone()).sweep(&mut leaf.body));
