@@ -47,9 +47,8 @@ impl MovesCompared {
                 lamp: false,
             }
         };
-        let was_state_idle_: __MovesComparedRegion0 = self.region_0;
-        let was_state_dose_: __MovesComparedRegion1 = self.region_1;
-        fence_on_armv6m();
+        self.before_state_idle = self.region_0;
+        self.before_state_dose = self.region_1;
         self.reading = now_;
         fence_beyond_armv6m();
         match self.region_0 {
@@ -197,8 +196,6 @@ impl MovesCompared {
                 }
             }
         }
-        self.settled = !(was_state_idle_ != self.region_0
-            || was_state_dose_ != self.region_1);
         outputs_
     }
     /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
@@ -208,7 +205,9 @@ impl MovesCompared {
     fn next_deadline(
         &self,
     ) -> Option<Ticks> {
-        if !self.settled {
+        if !!(self.before_state_idle != self.region_0
+            || self.before_state_dose != self.region_1)
+        {
             return Option::Some(self.reading);
         }
         let mut soonest_ = Option::None;
