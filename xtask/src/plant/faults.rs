@@ -103,8 +103,8 @@ pub(super) const FAULTS: [Fault; 34] = [
         name: "a delay forgets its time where its input stays",
         charts: Some("t_delay"),
         file: "grafcet-compiler/src/program/lower/delays.rs",
-        right: "vec![Statement::If(is(stage, from), begin, go_on)]",
-        wrong: "[begin, go_on].concat()",
+        right: "vec![Statement::If(is(stage, from), wait, go_on)]",
+        wrong: "[wait, go_on].concat()",
     },
     Fault {
         name: "a step of flags is looked for in the wrong byte",

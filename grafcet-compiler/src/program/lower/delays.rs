@@ -60,8 +60,8 @@ impl<'m> Lower<'_, 'm> {
             }
             let is_over = all(vec![is(stage, waits), at_least(clock.passed(Expr::Now), self.time_of(time))]);
             let go_on = vec![Statement::If(is_over, set(to), Vec::new())];
-            let begin = [vec![clock.begin()], set(waits)].concat();
-            let mut follow = vec![Statement::If(is(stage, from), begin, go_on)];
+            let wait = [vec![clock.begin()], set(waits)].concat();
+            let mut follow = vec![Statement::If(is(stage, from), wait, go_on)];
             if !is_zero(other) {
                 follow = vec![Statement::If(is(stage, back), set(to), follow)];
             }

@@ -93,10 +93,10 @@ impl<'m> Lower<'_, 'm> {
         let is = |one: usize| compare(Comparison::Equal, Expr::Place(stage), number(one));
         let set = |to: Expr<'m>| Statement::Set(stage, to);
         // A time of zero is over at once (A35).
-        let begin = vec![clock.begin(), set(choose(at_least(zero(), time.clone()), number(OVER), number(RUNS)))];
+        let run = vec![clock.begin(), set(choose(at_least(zero(), time.clone()), number(OVER), number(RUNS)))];
         let is_over = all(vec![is(RUNS), at_least(clock.passed(Expr::Now), time.clone())]);
         let follow = vec![Statement::If(is_over, vec![set(number(OVER))], Vec::new())];
-        let on = vec![Statement::If(any(vec![is(IDLE), again]), begin, follow)];
+        let on = vec![Statement::If(any(vec![is(IDLE), again]), run, follow)];
         body.push(Statement::If(input, on, vec![set(number(IDLE))]));
         self.timers.push(Timer { is_waiting: is(RUNS), clock, time });
         is(OVER)

@@ -51,7 +51,7 @@ fn by_table(program: &mut Program<'_>, number: PlaceId) {
     if is_read || otherwise.iter().any(|one| writes_to(one, number)) {
         return;
     }
-    let Some(literals) = arms.iter().map(|(_, body)| literal_of(body, number)).collect::<Option<Vec<_>>>() else {
+    let Ok(literals) = arms.iter().map(|(_, body)| literal_of(body, number)).collect::<Result<Vec<_>, Other>>() else {
         return;
     };
     let written = literals.iter().flatten().count();
@@ -84,13 +84,16 @@ fn by_table(program: &mut Program<'_>, number: PlaceId) {
     program.cycle.insert(at, Statement::Set(number, Expr::Table(state, table)));
 }
 
-/// The literal that an arm writes, if it writes one; `None` where it writes something else.
-fn literal_of(body: &[Statement<'_>], number: PlaceId) -> Option<Option<i128>> {
+/// An arm writes something else than a literal.
+struct Other;
+
+/// The literal that an arm writes, if it writes at all.
+fn literal_of(body: &[Statement<'_>], number: PlaceId) -> Result<Option<i128>, Other> {
     let mut writes = body.iter().filter(|one| writes_to(one, number));
     match (writes.next(), writes.next()) {
-        (None, _) => Some(None),
-        (Some(Statement::Set(_, value)), None) => literal(value).map(Some),
-        _ => None,
+        (None, _) => Ok(None),
+        (Some(Statement::Set(_, value)), None) => literal(value).map(Some).ok_or(Other),
+        _ => Err(Other),
     }
 }
 

@@ -38,7 +38,9 @@ pub(super) fn pass<'m>(
     let mut other = Other::default();
     if !candidates.is_empty() {
         trees.iter().flatten().for_each(|tree| other.add(tree));
-        outside.into_iter().for_each(|statements| other.add_all(statements));
+        for statements in outside {
+            other.add_all(statements);
+        }
     }
     for (at, field, begins) in candidates {
         if !other.0.contains(&field) {
