@@ -174,7 +174,7 @@ impl<'m> Lower<'_, 'm> {
         });
     }
 
-    /// Of what blinks the time of its step tells how far the period is, where that is the reading at which it became active.
+    /// Of what blinks the time of its step tells how far the period is, where that is compared with literals alone.
     fn count_blink(&mut self, blink: Blink, changes: &Changes) {
         if let Blinker::Step(step) = blink.of {
             if self.note_periods(step, changes) {

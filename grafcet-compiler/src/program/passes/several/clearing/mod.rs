@@ -179,6 +179,8 @@ impl<'m> Several<'_, 'm> {
             for (region, ..) in &clearing.writes {
                 let state = self.states[*region];
                 env.facts[state.0] = env.among(self.possible(*region));
+                // What was found of the state before says nothing of the one after it.
+                env.only.retain(|(_, of, _)| *of != state);
                 for fact in &mut env.facts {
                     if *fact == Fact::Copy(state) {
                         *fact = Fact::Nothing;
