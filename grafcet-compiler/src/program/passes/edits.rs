@@ -122,10 +122,11 @@ pub(super) fn blocks_mut<'s, 'm>(statement: &'s mut Statement<'m>) -> Vec<&'s mu
         Statement::Part(_, body) | Statement::Loop { body, .. } => vec![body],
         Statement::If(_, then, otherwise) => vec![then, otherwise],
         Statement::Match(_, arms, otherwise) => {
-            let mut all: Vec<&mut Vec<Statement<'m>>> = vec![otherwise];
+            let mut all: Vec<&mut Vec<Statement<'m>>> = Vec::with_capacity(arms.len() + 1);
             for (_, body) in arms {
                 all.push(body);
             }
+            all.push(otherwise);
             all
         }
         _ => Vec::new(),

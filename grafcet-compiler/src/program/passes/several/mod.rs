@@ -95,8 +95,15 @@ fn evolve(program: &mut Program<'_>, actions: Actions) -> bool {
 /// them doubles what is after it. Of the charts of this repository that profit from it none takes more than 48.
 const EFFORT: usize = 64;
 
+/// So many statements and places are enough: what a long program asks first beyond that makes most longer.
+const ENOUGH: usize = 50_000;
+
+/// So often a program is gone through however long it is.
+const LEAST: usize = 4;
+
 fn effort(program: &Program<'_>) -> usize {
-    EFFORT * (weight(&program.cycle) + program.places.len())
+    let once = weight(&program.cycle) + program.places.len();
+    (EFFORT * once).min(ENOUGH.max(LEAST * once))
 }
 
 pub(super) struct Several<'p, 'm> {
@@ -278,7 +285,8 @@ impl<'p, 'm> Several<'p, 'm> {
 
     /// What is known after statements that have been looked at with this.
     pub(super) fn after(&self, list: &[Statement<'m>], env: &mut Env) {
-        let writes = Effects::of_all(list).writes;
+        let mut writes = Set::new();
+        each_written(list, &mut |place| _ = writes.insert(place));
         let (_, after) = self.folded(list, env);
         for place in &*writes {
             env.facts[place.0] = match after[place.0] {
@@ -298,18 +306,18 @@ impl<'p, 'm> Several<'p, 'm> {
 
     /// Which truths of some statements hold in some states of a region alone.
     pub(super) fn tell_only(&self, list: &[Statement<'m>], env: &mut Env) {
-        let writes = Effects::of_all(list).writes;
-        env.only.retain(|(truth, state, _)| !writes.contains(truth) && !writes.contains(state));
+        let mut writes = vec![0_u32; self.places.len()];
+        each_written(list, &mut |place| writes[place.0] += 1);
+        env.only.retain(|(truth, state, _)| writes[truth.0] == 0 && writes[state.0] == 0);
         for statement in list {
             let Statement::Set(truth, value) = statement else { continue };
             let parts = if let Expr::All(parts) = value { &parts[..] } else { std::slice::from_ref(value) };
-            let again = |one: &Statement<'m>| !std::ptr::eq(one, statement) && writes_to(one, *truth);
-            if self.places[truth.0].is_field || list.iter().any(again) {
+            if self.places[truth.0].is_field || writes[truth.0] > 1 {
                 continue;
             }
             for part in parts {
                 match part {
-                    Expr::Is(state, steps) if !writes.contains(state) => {
+                    Expr::Is(state, steps) if writes[state.0] == 0 => {
                         env.only.push((*truth, *state, steps.clone()));
                     }
                     _ => {}

@@ -15,54 +15,79 @@
 //!
 //! Needs: several regions (of one, `split` knows that); states are entered by the ways of the cycle alone.
 
+mod index;
+
 use std::cell::{Cell, RefCell};
 
-use super::super::{Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
+use self::index::Index;
+use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
 use super::edits::blocks_mut;
 use super::fold::{Known, initial};
-use super::uses::{each_written, has};
+use super::uses::{each_read, each_written};
 use super::without_empty;
 use crate::list::List;
-use crate::sorted::Map;
 
 /// So many statements are looked at for each region.
 const EFFORT: usize = 50_000;
+
+/// And for all of them.
+const IN_ALL: usize = 200_000;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 {
         return;
     }
+    let mut stored = found(program).into_iter();
+    let mut cycle = std::mem::take(&mut program.cycle);
+    sweep(&mut cycle, &mut stored);
+    without_empty(&mut cycle);
+    program.cycle = cycle;
+}
+
+/// By statement: what it stores, as far as one of the regions tells.
+fn found(program: &Program<'_>) -> Vec<Option<Stored>> {
+    let index = Index::of(program);
+    let stored = vec![None; index.sizes.len()];
+    let mut all = Whole { program, index, stored, left: IN_ALL };
+    let mut fails = vec![false; program.regions.len()];
+    let mut is_followed = vec![false; program.places.len()];
     for region in 0..program.regions.len() {
-        let Some(found) = Anew::of(program, region).and_then(Anew::found) else { continue };
-        let mut cycle = std::mem::take(&mut program.cycle);
-        sweep(&mut cycle, &found);
-        without_empty(&mut cycle);
-        program.cycle = cycle;
+        let fields = all.index.fields(program, region, (&fails, &is_followed));
+        let Some(anew) = Anew::of(&all, region, &fields) else { continue };
+        let found = anew.found();
+        all.left -= EFFORT.min(all.left) - anew.effort.get();
+        let Some(found) = found else {
+            fails[region] = true;
+            continue;
+        };
+        for field in fields {
+            is_followed[field.0] = true;
+        }
+        all.add(found);
     }
+    all.stored
 }
 
 /// Takes away the statements that store what is there; of others what they store is told.
-fn sweep(statements: &mut Vec<Statement<'_>>, found: &Map<usize, Stored>) {
-    let stored: Vec<Option<&Stored>> = statements.iter().map(|one| found.get(&address(one))).list();
-    let kept: Vec<bool> = stored.iter().map(|one| one.is_none_or(|one| !one.is_there)).list();
-    for (statement, stored) in statements.iter_mut().zip(stored) {
-        if let (Statement::Set(_, value), Some(Stored { value: Some(known), .. })) = (&mut *statement, stored) {
-            *value = Expr::Value(*known);
+fn sweep(statements: &mut Vec<Statement<'_>>, stored: &mut std::vec::IntoIter<Option<Stored>>) {
+    let mut kept = Vec::with_capacity(statements.len());
+    for mut statement in std::mem::take(statements) {
+        let stored_here = stored.next().flatten();
+        if let (Statement::Set(_, value), Some(Stored { value: Some(known), .. })) = (&mut statement, stored_here) {
+            *value = Expr::Value(known);
         }
-        for block in blocks_mut(statement) {
-            sweep(block, found);
+        for block in blocks_mut(&mut statement) {
+            sweep(block, stored);
+        }
+        if stored_here.is_none_or(|one| !one.is_there) {
+            kept.push(statement);
         }
     }
-    let mut kept = kept.into_iter();
-    statements.retain(|_| kept.next().unwrap_or(true));
-}
-
-/// Which statement of a cycle it is.
-fn address(statement: &Statement<'_>) -> usize {
-    std::ptr::from_ref(statement).addr()
+    *statements = kept;
 }
 
 /// What a statement stores, on each way.
+#[derive(Clone, Copy)]
 struct Stored {
     is_there: bool,
     /// `None` where it is not known, or not the same.
@@ -104,44 +129,68 @@ impl Reached {
     }
 }
 
-struct Anew<'p, 'm> {
+/// The program, and what the regions looked at so far have told.
+struct Whole<'p, 'm> {
     program: &'p Program<'m>,
+    index: Index,
+    /// By statement. What stores nothing new counts as taken away.
+    stored: Vec<Option<Stored>>,
+    /// So many statements may still be looked at.
+    left: usize,
+}
+
+impl Whole<'_, '_> {
+    /// What a region tells holds whatever the others do.
+    fn add(&mut self, found: Vec<Option<Stored>>) {
+        for (all, found) in self.stored.iter_mut().zip(found) {
+            let Some(found) = found else { continue };
+            let known = all.get_or_insert(found);
+            known.is_there |= found.is_there;
+            known.value = known.value.or(found.value);
+        }
+    }
+}
+
+/// What is followed for one region.
+struct Anew<'w, 'p, 'm> {
+    whole: &'w Whole<'p, 'm>,
     region: usize,
     state: PlaceId,
     /// And outputs that show fields, which begin anew in each cycle.
-    fields: Vec<PlaceId>,
-    /// By statement that stores a constant or a field. Empty until all is known.
-    found: RefCell<Map<usize, Stored>>,
+    fields: &'w [PlaceId],
+    /// By place: which of the fields it is.
+    numbers: Vec<Option<usize>>,
+    /// By statement: whether it, or one within it, writes what is followed.
+    matters: Vec<bool>,
+    /// By statement that stores a constant or a field. Nothing until all is known.
+    found: RefCell<Vec<Option<Stored>>>,
     is_noted: Cell<bool>,
     /// What leaves each loop around.
     left: RefCell<Vec<Vec<Reached>>>,
+    /// So many statements may still be looked at.
     effort: Cell<usize>,
 }
 
-impl<'p, 'm> Anew<'p, 'm> {
-    fn of(program: &'p Program<'m>, region: usize) -> Option<Self> {
+impl<'w, 'p, 'm> Anew<'w, 'p, 'm> {
+    fn of(whole: &'w Whole<'p, 'm>, region: usize, fields: &'w [PlaceId]) -> Option<Self> {
+        let program = whole.program;
         let state = program.place(Role::State(region))?;
-        let mut fields = Vec::new();
-        for (index, place) in program.places.iter().enumerate() {
-            let is_stored = |one: &Statement<'_>| matches!(one, Statement::Set(to, Expr::Value(_)) if to.0 == index);
-            let is_shown = |one: &Statement<'_>| matches!(one, Statement::Set(to, Expr::Place(_)) if to.0 == index);
-            let is_asked = match place.role {
-                Role::Output(_) if !place.is_field => has(&program.cycle, &is_shown),
-                role => place.is_field && is_own(role) && has(&program.cycle, &is_stored),
-            };
-            if is_asked {
-                fields.push(PlaceId(index));
-            }
+        let mut numbers = vec![None; program.places.len()];
+        for (number, field) in fields.iter().enumerate() {
+            numbers[field.0] = Some(number);
         }
-        let (found, left) = (RefCell::default(), RefCell::default());
-        let (is_noted, effort) = (Cell::new(false), Cell::new(EFFORT));
-        (!fields.is_empty()).then_some(Self { program, region, state, fields, found, is_noted, left, effort })
+        let is_gone = |statement: usize| whole.stored[statement].is_some_and(|stored| stored.is_there);
+        let matters = whole.index.matters(program, region, fields, &is_gone);
+        let (found, left) = (RefCell::new(vec![None; matters.len()]), RefCell::default());
+        let (is_noted, effort) = (Cell::new(false), Cell::new(EFFORT.min(whole.left)));
+        let is_any = !fields.is_empty();
+        is_any.then_some(Self { whole, region, state, fields, numbers, matters, found, is_noted, left, effort })
     }
 
     /// What is known when a cycle begins, of what was known when the last one ended.
     fn begun(&self, mut way: Reached) -> Reached {
         for (field, holds) in self.fields.iter().zip(&mut way.holds) {
-            let place = &self.program.places[field.0];
+            let place = &self.whole.program.places[field.0];
             if !place.is_field {
                 *holds = initial(place);
             }
@@ -150,13 +199,13 @@ impl<'p, 'm> Anew<'p, 'm> {
     }
 
     /// What the statements store, if that can be found out.
-    fn found(self) -> Option<Map<usize, Stored>> {
-        let Initial::Value(begins) = self.program.places[self.state.0].initial else { return None };
-        let holds = self.fields.iter().map(|field| initial(&self.program.places[field.0])).list();
+    fn found(&self) -> Option<Vec<Option<Stored>>> {
+        let Initial::Value(begins) = self.whole.program.places[self.state.0].initial else { return None };
+        let holds = self.fields.iter().map(|field| initial(&self.whole.program.places[field.0])).list();
         let mut all = vec![Reached { states: vec![(self.state, begins)], holds }];
         let mut open = vec![0];
         while let Some(at) = open.pop() {
-            for end in self.block(&self.program.cycle, vec![self.begun(all[at].clone())])? {
+            for end in self.block(&self.whole.program.cycle, 0, vec![self.begun(all[at].clone())])? {
                 let state = end.state(self.state)?;
                 match all.iter().position(|way| way.state(self.state) == Some(state)) {
                     Some(at) => {
@@ -173,39 +222,46 @@ impl<'p, 'm> Anew<'p, 'm> {
         }
         self.is_noted.set(true);
         for way in all {
-            self.block(&self.program.cycle, vec![self.begun(way)])?;
+            self.block(&self.whole.program.cycle, 0, vec![self.begun(way)])?;
         }
         Some(self.found.take())
     }
 
     /// None where the state of the region is not known after it, or it takes too long.
-    fn block(&self, statements: &[Statement<'m>], mut ways: Vec<Reached>) -> Option<Vec<Reached>> {
+    fn block(&self, statements: &[Statement<'m>], mut next: usize, mut ways: Vec<Reached>) -> Option<Vec<Reached>> {
         for statement in statements {
+            let number = next;
+            next += self.whole.index.sizes[number];
             if ways.is_empty() {
                 break;
             }
-            self.effort.set(self.effort.get().checked_sub(ways.len())?);
-            ways = self.after(statement, ways)?;
+            if self.matters[number] {
+                self.effort.set(self.effort.get().checked_sub(ways.len())?);
+                ways = self.after(statement, number, ways)?;
+            }
         }
         Some(ways)
     }
 
-    fn after(&self, statement: &Statement<'m>, mut ways: Vec<Reached>) -> Option<Vec<Reached>> {
+    /// After the statement of that number.
+    fn after(&self, statement: &Statement<'m>, number: usize, mut ways: Vec<Reached>) -> Option<Vec<Reached>> {
+        let within = number + 1;
         match statement {
-            Statement::Part(_, body) => return self.block(body, ways),
+            Statement::Part(_, body) => return self.block(body, within, ways),
             Statement::Set(place, value) => {
                 for way in &mut ways {
-                    self.set(statement, (*place, value), way)?;
+                    self.set(number, (*place, value), way)?;
                 }
             }
             Statement::If(condition, then, otherwise) => {
                 let may_be = |truth: bool, way: &&Reached| self.holds(condition, way) != Some(!truth);
                 let met = ways.iter().filter(|way| may_be(true, way)).cloned().list();
                 let unmet = ways.iter().filter(|way| may_be(false, way)).cloned().list();
-                return Some(merged(self.block(then, met)?, self.block(otherwise, unmet)?));
+                let other = within + self.whole.index.size(within, then);
+                return Some(merged(self.block(then, within, met)?, self.block(otherwise, other, unmet)?));
             }
-            Statement::Match(place, arms, otherwise) => return self.arms(*place, arms, otherwise, &ways),
-            Statement::Loop { body, .. } => return self.rounds(body, ways),
+            Statement::Match(place, arms, otherwise) => return self.arms(*place, (arms, otherwise), within, &ways),
+            Statement::Loop { body, .. } => return self.rounds(body, within, ways),
             Statement::Break => {
                 let mut left = self.left.borrow_mut();
                 let around = left.last_mut()?;
@@ -222,25 +278,27 @@ impl<'p, 'm> Anew<'p, 'm> {
         Some(merged(Vec::new(), ways))
     }
 
-    fn set(&self, statement: &Statement<'m>, (place, value): (PlaceId, &Expr<'m>), way: &mut Reached) -> Option<()> {
+    fn set(&self, number: usize, (place, value): (PlaceId, &Expr<'m>), way: &mut Reached) -> Option<()> {
+        let by_others = self.whole.stored[number].and_then(|stored| stored.value);
         let known = match value {
+            _ if by_others.is_some() => by_others,
             Expr::Value(value) => Some(*value),
             Expr::Place(from) => self.value(*from, way),
             _ => None,
         };
-        if let Some(at) = self.fields.iter().position(|field| *field == place) {
+        if let Some(at) = self.numbers[place.0] {
             // A number of the user has a type, which it would lose.
-            let is_user = matches!(self.program.places[place.0].ty, Type::User(_));
+            let is_user = matches!(self.whole.program.places[place.0].ty, Type::User(_));
             let is_noted = matches!(value, Expr::Value(_)) || matches!(value, Expr::Place(_)) && !is_user;
             if self.is_noted.get() && is_noted {
                 let is_there = known.is_some() && known == way.holds[at];
                 let mut found = self.found.borrow_mut();
-                let stored = found.or_insert_with(address(statement), || Stored { is_there: true, value: known });
+                let stored = found[number].get_or_insert(Stored { is_there: true, value: known });
                 stored.is_there &= is_there;
                 stored.value = stored.value.filter(|value| known == Some(*value));
             }
             way.holds[at] = known;
-        } else if matches!(self.program.places[place.0].ty, Type::State(region) if region == self.region) {
+        } else if matches!(self.whole.program.places[place.0].ty, Type::State(region) if region == self.region) {
             way.put(place, known);
         }
         way.state(self.state).map(|_| ())
@@ -249,11 +307,11 @@ impl<'p, 'm> Anew<'p, 'm> {
     fn arms(
         &self,
         place: PlaceId,
-        arms: &[(Vec<Value>, Vec<Statement<'m>>)],
-        otherwise: &[Statement<'m>],
+        (arms, otherwise): (&[Arm<'m>], &[Statement<'m>]),
+        mut next: usize,
         ways: &[Reached],
     ) -> Option<Vec<Reached>> {
-        let is_state = matches!(self.program.places[place.0].ty, Type::State(region) if region == self.region);
+        let is_state = matches!(self.whole.program.places[place.0].ty, Type::State(region) if region == self.region);
         let mut all = Vec::new();
         for (values, body) in arms {
             let mut here = Vec::new();
@@ -270,23 +328,24 @@ impl<'p, 'm> Anew<'p, 'm> {
                     }
                 }
             }
-            all = merged(all, self.block(body, merged(Vec::new(), here))?);
+            all = merged(all, self.block(body, next, merged(Vec::new(), here))?);
+            next += self.whole.index.size(next, body);
         }
         let is_other = |way: &&Reached| {
             self.value(place, way).is_none_or(|value| !arms.iter().any(|(values, _)| values.contains(&value)))
         };
         let other = ways.iter().filter(is_other).cloned().list();
-        Some(merged(all, self.block(otherwise, other)?))
+        Some(merged(all, self.block(otherwise, next, other)?))
     }
 
     /// Until another round brings nothing new.
-    fn rounds(&self, body: &[Statement<'m>], ways: Vec<Reached>) -> Option<Vec<Reached>> {
+    fn rounds(&self, body: &[Statement<'m>], within: usize, ways: Vec<Reached>) -> Option<Vec<Reached>> {
         self.left.borrow_mut().push(Vec::new());
         let mut begins = ways;
         let mut all = begins.clone();
         while !begins.is_empty() {
             let mut new = Vec::new();
-            for end in self.block(body, begins)? {
+            for end in self.block(body, within, begins)? {
                 match all.iter_mut().find(|way| way.states == end.states) {
                     Some(way) => {
                         if way.join(&end) {
@@ -307,21 +366,30 @@ impl<'p, 'm> Anew<'p, 'm> {
 
     fn forget(&self, place: PlaceId, way: &mut Reached) {
         way.put(place, None);
-        if let Some(at) = self.fields.iter().position(|field| *field == place) {
+        if let Some(at) = self.numbers[place.0] {
             way.holds[at] = None;
         }
     }
 
     fn value(&self, place: PlaceId, way: &Reached) -> Option<Value> {
-        let at = self.fields.iter().position(|field| *field == place);
-        at.and_then(|at| way.holds[at]).or_else(|| way.state(place))
+        self.numbers[place.0].and_then(|at| way.holds[at]).or_else(|| way.state(place))
     }
 
     /// Whether a condition holds, if that is known.
     fn holds(&self, condition: &Expr<'m>, way: &Reached) -> Option<bool> {
+        let mut is_told = false;
+        each_read(condition, &mut |place| is_told |= self.value(place, way).is_some());
+        if !is_told {
+            return None;
+        }
         let value = |place: PlaceId| self.value(place, way);
-        let known =
-            Known { places: &self.program.places, value: &value, copy: &|_| None, among: &|_| None, now: &|_| false };
+        let known = Known {
+            places: &self.whole.program.places,
+            value: &value,
+            copy: &|_| None,
+            among: &|_| None,
+            now: &|_| false,
+        };
         match known.fold(condition) {
             Expr::Value(Value::Bool(holds)) => Some(holds),
             _ => None,
@@ -329,25 +397,7 @@ impl<'p, 'm> Anew<'p, 'm> {
     }
 }
 
-/// What nobody but the cycle writes, and what somebody looks at other than the deadline.
-fn is_own(role: Role) -> bool {
-    matches!(
-        role,
-        Role::FlipFlop(..)
-            | Role::Output(_)
-            | Role::Var(_)
-            | Role::SetBy(..)
-            | Role::TimerInput(..)
-            | Role::TimerStage(..)
-            | Role::Active(_)
-            | Role::Held(_)
-            | Role::Acted(_)
-            | Role::Edge(_)
-            | Role::ActionEdge(_)
-    )
-}
-
-/// Vec<Reached> with the same states are one, of which is known what is known of both.
+/// Those with the same states are one, of which is known what is known of both.
 fn merged(mut all: Vec<Reached>, ways: Vec<Reached>) -> Vec<Reached> {
     for way in ways {
         match all.iter_mut().find(|one| one.states == way.states) {
