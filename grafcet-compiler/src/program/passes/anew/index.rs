@@ -1,9 +1,9 @@
 //! The statements of a cycle by number, which fields they write, and what decides about that.
 
 use super::super::super::uses::{each_block, each_own_written, each_read};
-use super::super::super::{Expr, PlaceId, Program, Role, Statement, Type};
+use super::super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Type, Value};
 use crate::list::List;
-use crate::sorted::Set;
+use crate::sorted::{Map, Set};
 
 /// Statements have numbers in the order of the text; of what a statement has within it the first one has the next number.
 pub(super) struct Index {
@@ -15,10 +15,19 @@ pub(super) struct Index {
     writers: Vec<Vec<usize>>,
     /// Those that leave a loop.
     breaks: Vec<usize>,
+    /// By match.
+    pub(super) matches: Map<usize, Arms>,
     /// By place: stored constants are looked for, or fields that it shows.
     is_asked: Vec<bool>,
     /// By place: the fields that may hold something else by what it holds.
     decides: Vec<Set<PlaceId>>,
+}
+
+/// The arms of a match; the last one is that of all other values.
+pub(super) struct Arms {
+    pub(super) arms: Map<Value, usize>,
+    /// By arm: the number of its first statement.
+    pub(super) firsts: Vec<usize>,
 }
 
 impl Index {
@@ -29,6 +38,7 @@ impl Index {
             around: Vec::new(),
             writers: vec![Vec::new(); count],
             breaks: Vec::new(),
+            matches: Map::new(),
             is_asked: vec![false; count],
             decides: vec![Set::new(); count],
         };
@@ -53,8 +63,15 @@ impl Index {
                     role => matches!(value, Expr::Value(_)) && place.is_field && is_own(role),
                 };
             }
-            each_block(statement, &mut |block| self.number(program, block, Some(number)));
+            let mut firsts = Vec::new();
+            each_block(statement, &mut |block| {
+                firsts.push(self.sizes.len());
+                self.number(program, block, Some(number));
+            });
             self.sizes[number] = self.sizes.len() - number;
+            if let Statement::Match(_, arms, _) = statement {
+                self.matches.insert(number, Arms { arms: numbered(arms), firsts });
+            }
         }
     }
 
@@ -148,6 +165,17 @@ impl Index {
     pub(super) fn size(&self, first: usize, block: &[Statement<'_>]) -> usize {
         block.iter().fold(first, |next, _| next + self.sizes[next]) - first
     }
+}
+
+/// By value: the arm for it.
+fn numbered(arms: &[Arm<'_>]) -> Map<Value, usize> {
+    let mut numbers = Map::new();
+    for (arm, (values, _)) in arms.iter().enumerate() {
+        for value in values {
+            numbers.insert(*value, arm);
+        }
+    }
+    numbers
 }
 
 /// What decides about leaving a loop, of places that are asked within it.

@@ -25,13 +25,14 @@ use super::edits::blocks_mut;
 use super::fold::{Known, initial};
 use super::uses::{each_read, each_written};
 use super::without_empty;
-use crate::list::List;
+use crate::list::{List, PushAll};
+use crate::sorted::{self, Map};
 
 /// So many statements are looked at for each region.
-const EFFORT: usize = 50_000;
+const EFFORT: usize = 20_000;
 
 /// And for all of them.
-const IN_ALL: usize = 200_000;
+const IN_ALL: usize = 60_000;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 {
@@ -95,7 +96,7 @@ struct Stored {
 }
 
 /// What is known somewhere in a cycle.
-#[derive(Clone)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Reached {
     /// The state of the region, and copies of it.
     states: Vec<(PlaceId, Value)>,
@@ -252,20 +253,26 @@ impl<'w, 'p, 'm> Anew<'w, 'p, 'm> {
                 for way in &mut ways {
                     self.set(number, (*place, value), way)?;
                 }
+                if !self.is_state(*place) {
+                    return Some(ways);
+                }
             }
             Statement::If(condition, then, otherwise) => {
                 let may_be = |truth: bool, way: &&Reached| self.holds(condition, way) != Some(!truth);
                 let met = ways.iter().filter(|way| may_be(true, way)).cloned().list();
                 let unmet = ways.iter().filter(|way| may_be(false, way)).cloned().list();
                 let other = within + self.whole.index.size(within, then);
-                return Some(merged(self.block(then, within, met)?, self.block(otherwise, other, unmet)?));
+                let mut ends = self.block(then, within, met)?;
+                ends.push_all(self.block(otherwise, other, unmet)?);
+                return Some(merged(ends));
             }
-            Statement::Match(place, arms, otherwise) => return self.arms(*place, (arms, otherwise), within, &ways),
+            Statement::Match(place, arms, otherwise) => return self.arms((*place, number), (arms, otherwise), &ways),
             Statement::Loop { body, .. } => return self.rounds(body, within, ways),
             Statement::Break => {
                 let mut left = self.left.borrow_mut();
                 let around = left.last_mut()?;
-                *around = merged(std::mem::take(around), ways);
+                around.push_all(ways);
+                *around = merged(std::mem::take(around));
                 return Some(Vec::new());
             }
             other => {
@@ -275,7 +282,7 @@ impl<'w, 'p, 'm> Anew<'w, 'p, 'm> {
                 }
             }
         }
-        Some(merged(Vec::new(), ways))
+        Some(merged(ways))
     }
 
     fn set(&self, number: usize, (place, value): (PlaceId, &Expr<'m>), way: &mut Reached) -> Option<()> {
@@ -298,7 +305,7 @@ impl<'w, 'p, 'm> Anew<'w, 'p, 'm> {
                 stored.value = stored.value.filter(|value| known == Some(*value));
             }
             way.holds[at] = known;
-        } else if matches!(self.whole.program.places[place.0].ty, Type::State(region) if region == self.region) {
+        } else if self.is_state(place) {
             way.put(place, known);
         }
         way.state(self.state).map(|_| ())
@@ -306,54 +313,52 @@ impl<'w, 'p, 'm> Anew<'w, 'p, 'm> {
 
     fn arms(
         &self,
-        place: PlaceId,
+        (place, number): (PlaceId, usize),
         (arms, otherwise): (&[Arm<'m>], &[Statement<'m>]),
-        mut next: usize,
         ways: &[Reached],
     ) -> Option<Vec<Reached>> {
-        let is_state = matches!(self.whole.program.places[place.0].ty, Type::State(region) if region == self.region);
-        let mut all = Vec::new();
-        for (values, body) in arms {
-            let mut here = Vec::new();
-            for way in ways {
-                match self.value(place, way) {
-                    Some(value) if values.contains(&value) => here.push(way.clone()),
-                    Some(_) => {}
-                    None => {
-                        let mut way = way.clone();
-                        if let (true, [value]) = (is_state, &values[..]) {
-                            way.put(place, Some(*value));
-                        }
-                        here.push(way);
-                    }
-                }
+        let index = self.whole.index.matches.get(&number)?;
+        let is_state = self.is_state(place);
+        let mut here: Map<usize, Vec<Reached>> = Map::new();
+        for way in ways {
+            if let Some(value) = self.value(place, way) {
+                let arm = index.arms.get(&value).copied().unwrap_or(arms.len());
+                here.or_insert_with(arm, Vec::new).push(way.clone());
+                continue;
             }
-            all = merged(all, self.block(body, next, merged(Vec::new(), here))?);
-            next += self.whole.index.size(next, body);
+            for at in 0..=arms.len() {
+                let mut way = way.clone();
+                match arms.get(at) {
+                    Some((values, _)) if is_state && values.len() == 1 => way.put(place, Some(values[0])),
+                    _ => {}
+                }
+                here.or_insert_with(at, Vec::new).push(way);
+            }
         }
-        let is_other = |way: &&Reached| {
-            self.value(place, way).is_none_or(|value| !arms.iter().any(|(values, _)| values.contains(&value)))
-        };
-        let other = ways.iter().filter(is_other).cloned().list();
-        Some(merged(all, self.block(otherwise, next, other)?))
+        let mut ends = Vec::new();
+        for (arm, here) in here {
+            let body = arms.get(arm).map_or(otherwise, |(_, body)| body);
+            ends.push_all(self.block(body, index.firsts[arm], merged(here))?);
+        }
+        Some(merged(ends))
     }
 
     /// Until another round brings nothing new.
     fn rounds(&self, body: &[Statement<'m>], within: usize, ways: Vec<Reached>) -> Option<Vec<Reached>> {
         self.left.borrow_mut().push(Vec::new());
         let mut begins = ways;
-        let mut all = begins.clone();
+        let mut all = merged(begins.clone());
         while !begins.is_empty() {
             let mut new = Vec::new();
             for end in self.block(body, within, begins)? {
-                match all.iter_mut().find(|way| way.states == end.states) {
-                    Some(way) => {
-                        if way.join(&end) {
-                            new.push(way.clone());
+                match all.binary_search_by(|way| way.states.cmp(&end.states)) {
+                    Ok(at) => {
+                        if all[at].join(&end) {
+                            new.push(all[at].clone());
                         }
                     }
-                    None => {
-                        all.push(end.clone());
+                    Err(at) => {
+                        all.insert(at, end.clone());
                         new.push(end);
                     }
                 }
@@ -361,7 +366,13 @@ impl<'w, 'p, 'm> Anew<'w, 'p, 'm> {
             begins = new;
         }
         let left = self.left.borrow_mut().pop().unwrap_or_default();
-        Some(merged(all, left))
+        all.push_all(left);
+        Some(merged(all))
+    }
+
+    /// It holds the state of the region, or a copy of it.
+    fn is_state(&self, place: PlaceId) -> bool {
+        matches!(self.whole.program.places[place.0].ty, Type::State(region) if region == self.region)
     }
 
     fn forget(&self, place: PlaceId, way: &mut Reached) {
@@ -397,12 +408,14 @@ impl<'w, 'p, 'm> Anew<'w, 'p, 'm> {
     }
 }
 
-/// Those with the same states are one, of which is known what is known of both.
-fn merged(mut all: Vec<Reached>, ways: Vec<Reached>) -> Vec<Reached> {
+/// In the order of their states. Those with the same are one, of which is known what is known of both.
+fn merged(mut ways: Vec<Reached>) -> Vec<Reached> {
+    sorted::sort(&mut ways);
+    let mut all: Vec<Reached> = Vec::with_capacity(ways.len());
     for way in ways {
-        match all.iter_mut().find(|one| one.states == way.states) {
-            Some(one) => _ = one.join(&way),
-            None => all.push(way),
+        match all.last_mut() {
+            Some(last) if last.states == way.states => _ = last.join(&way),
+            _ => all.push(way),
         }
     }
     all
