@@ -3,8 +3,11 @@
 use super::super::belonging::Deciding;
 use super::super::parts::Looked;
 use super::super::uses::{each_read, is_pure, may_panic, same};
-use super::{Env, Several};
+use super::{Env, Several, weight};
 use crate::program::{Expr, PlaceId, Statement, Type};
+
+/// Up to so many statements what an edge asks is tried, too: beyond that it made charts longer, and took most of the macro's time.
+const SHORT: usize = 400;
 
 /// What a condition asks that looks at no region, and what it asks of them beside that.
 struct Stop<'m> {
@@ -19,9 +22,15 @@ impl<'m> Several<'_, 'm> {
             return None;
         }
         let deciding = Deciding::of(self.places, looked);
+        let is_short = weight(&looked.list) <= SHORT;
         let decides = |place: PlaceId| {
             let info = &self.places[place.0];
-            !info.is_field && matches!(info.ty, Type::Bool) && deciding.about(place).len() > 1
+            // What an edge compares with in the next cycle is stored whatever it is.
+            let is_kept = |one: &Statement<'m>| matches!(one, Statement::Set(_, Expr::Place(of)) if *of == place);
+            !info.is_field
+                && matches!(info.ty, Type::Bool)
+                && deciding.about(place).len() > 1
+                && (is_short || !looked.list.iter().any(is_kept))
         };
         let (at, place, Stop { asked, left }) = looked.list.iter().enumerate().find_map(|(at, one)| match one {
             Statement::Set(place, value) if decides(*place) => {
