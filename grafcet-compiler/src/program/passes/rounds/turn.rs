@@ -75,7 +75,7 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         let mut ties = Vec::new();
         for at in 0..self.parts.len() {
             let after: Vec<usize> = (at + 1..self.parts.len()).collect();
-            let ([region], false) = (&self.written[at][..], self.led(at, &after).0.is_empty()) else { continue };
+            let ([region], false) = (&self.written[at][..], self.order(at, &after).led.is_empty()) else { continue };
             for step in self.several.possible(*region) {
                 let mut env = env.clone();
                 for fact in &mut env.facts {
@@ -121,15 +121,15 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
             let part = &self.parts[at];
             env.later.clone_from(&self.later[at]);
             let next: Vec<usize> = left.iter().rev().copied().collect();
-            let (led, beside) = self.led(at, &next);
+            let Order { before, led, beside } = self.order(at, &next);
             if let ([region], false) = (&self.written[at][..], led.is_empty()) {
                 // Where the others say alone what becomes of it, it does not lead.
                 let state = self.several.states[*region];
                 let given = self.several.folded(&part.statements, &env).1[state.0];
                 if !matches!(given, Fact::Is(_)) || matches!(env.facts[state.0], Fact::Is(_)) {
-                    if let Some(statements) = self.nested((at, &led), *region, &env) {
+                    if let Some(statements) = self.before_nested((at, &before, &led), *region, &env) {
                         done.push(Unit { at, statements, known: None });
-                        for part in [at].iter().chain(&led) {
+                        for part in before.iter().chain(&[at]).chain(&led) {
                             self.after(&self.parts[*part].statements, &mut env);
                         }
                         left = beside;
@@ -146,35 +146,39 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         Some(done)
     }
 
-    /// Of the parts after a part those that ask for the state that it leads to, or are led by one that does, and the others.
-    fn led(&self, at: usize, next: &[usize]) -> (Vec<usize>, Vec<usize>) {
+    /// Which of the parts after a part it leads.
+    fn order(&self, at: usize, next: &[usize]) -> Order {
         let mut regions = self.written[at].clone();
-        let (mut led, mut beside): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+        let mut order = Order { before: Vec::new(), led: Vec::new(), beside: Vec::new() };
         for part in next {
             if self.asking[*part].iter().any(|(region, _)| regions.contains(region)) {
                 regions.extend(self.written[*part].iter().copied());
-                led.push(*part);
+                order.led.push(*part);
             } else {
-                beside.push(*part);
+                order.beside.push(*part);
             }
         }
         // What is beside is done afterwards, and must not be needed before.
-        let mut at = 0;
-        while at < beside.len() {
-            let part = beside[at];
-            if led.iter().any(|other| *other > part && !self.effects[part].may_swap(&self.effects[*other])) {
-                beside.remove(at);
-                led.push(part);
-                led.sort_unstable();
-                at = 0;
+        let may_swap = |one: usize, other: usize| self.effects[one].may_swap(&self.effects[other]);
+        let is_needed = |part: usize, led: &[usize]| led.iter().any(|other| *other > part && !may_swap(part, *other));
+        while let Some(place) = order.beside.iter().position(|part| is_needed(*part, &order.led)) {
+            let part = order.beside.remove(place);
+            let mut passed = order.led.iter().chain(&order.beside).filter(|other| **other < part);
+            if may_swap(part, at) && passed.all(|other| may_swap(part, *other)) {
+                order.before.push(part);
             } else {
-                at += 1;
+                order.led.push(part);
+                // These may have to come after it.
+                order.beside.append(&mut order.before);
+                order.led.sort_unstable();
+                order.beside.sort_unstable();
             }
         }
-        if led.iter().all(|part| self.written[*part].is_empty()) {
-            led.clear();
+        order.before.sort_unstable();
+        if order.led.iter().all(|part| self.written[*part].is_empty()) {
+            order.led.clear();
         }
-        (led, beside)
+        order
     }
 
     /// One part by itself.
@@ -241,6 +245,26 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
                 fact => fact,
             };
         }
+    }
+
+    /// The same after what it does not lead, and what those that it leads come after.
+    fn before_nested(
+        &self,
+        (at, before, led): (usize, &[usize], &[usize]),
+        region: usize,
+        env: &Env,
+    ) -> Option<Vec<Statement<'m>>> {
+        let mut env = env.clone();
+        let mut all = Vec::new();
+        for unit in self.from(before, env.clone())? {
+            all.extend(unit.statements);
+        }
+        for part in before {
+            self.after(&self.parts[*part].statements, &mut env);
+        }
+        env.later.clone_from(&self.later[at]);
+        all.extend(self.nested((at, led), region, &env)?);
+        Some(all)
     }
 
     /// A part that leads, and at the ends of its ways those that it leads.
@@ -315,6 +339,16 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         }
         Some(())
     }
+}
+
+/// Of the parts after one that leads.
+struct Order {
+    /// Done in front of it: it does not lead them, and those that it leads come after them.
+    before: Vec<usize>,
+    /// They ask for the state that it leads to, or are led by one that does, or come between such parts.
+    led: Vec<usize>,
+    /// Done after those.
+    beside: Vec<usize>,
 }
 
 /// The regions whose states some statements write.
