@@ -210,10 +210,10 @@ fn steps(model: &Model, concurrency: Option<&Concurrency>, atoms: &Atoms, asked:
     }
     let partials: Set<PartialId> =
         all.iter().filter_map(|a| a.steps.first()).map(|step| model.steps[*step].partial).collect();
-    for partial in partials.into_iter().filter(|partial| is_never_empty(model, *partial)) {
+    for partial in partials {
         let steps = &model.partials[partial].steps;
         let covered = steps.iter().all(|step| all.iter().any(|a| a.steps.contains(step)));
-        if covered {
+        if covered && is_never_empty(model, partial) {
             found.push(Formula::Any(all.iter().map(|a| Formula::is_true(a.atom)).list()));
         }
     }

@@ -3,7 +3,7 @@
 use super::compile::Compiler;
 use super::formula::Formula;
 use super::slots::{Bit, SlotId, Slots};
-use crate::analysis::explore::verdicts::rivals::Watched;
+use crate::analysis::explore::verdicts::rivals::Rivals;
 use crate::list::{List, PushAll};
 use crate::model::{
     Arena, Association, Effect, Id, Model, Place, Qualifier, Statement, StepId, TransitionId, Tree, ids,
@@ -78,8 +78,8 @@ pub(crate) struct Actions {
     pub(crate) targets_of: Map<StepId, Vec<TargetId>>,
     /// `sfc`: targets that go on as long as a flip-flop is set.
     pub(crate) lasting: Vec<(SlotId, TargetId)>,
-    /// `grafcet`: pairs of stored actions of which it is asked whether they run in the same evolution.
-    pub(crate) rivals: Vec<(Watched, Watched)>,
+    /// `grafcet`: stored actions of which it is asked whether they run in the same evolution.
+    pub(crate) rivals: Rivals,
     /// `sfc`: which slots are outputs; these are read as the previous cycle returned them.
     pub(crate) is_output: Arena<SlotId, bool>,
 }
@@ -87,7 +87,7 @@ pub(crate) struct Actions {
 impl Actions {
     /// Whether nothing is followed.
     pub(crate) fn is_empty(&self) -> bool {
-        self.stored.is_empty() && self.clearing.is_empty() && self.targets.is_empty() && self.rivals.is_empty()
+        self.stored.is_empty() && self.clearing.is_empty() && self.targets.is_empty() && self.rivals.all.is_empty()
     }
 
     /// The formulas that actions evaluate.
@@ -101,8 +101,7 @@ impl Actions {
             formulas.push_all(action.event.iter().and(&action.condition));
             collect(&action.program, &mut formulas);
         }
-        let rivals = self.rivals.iter().flat(|(a, b)| [a, b]);
-        formulas.push_all(rivals.flat(|rival| &rival.conditions));
+        formulas.push_all(self.rivals.all.iter().flat(|rival| &rival.conditions));
         formulas
     }
 

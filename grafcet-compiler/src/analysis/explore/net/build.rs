@@ -9,7 +9,7 @@ use super::slots::Slots;
 use super::{Arc, Net, Order, Part};
 use super::{actions, clocks, unfollowed, units};
 use crate::analysis::Facts;
-use crate::analysis::explore::verdicts::rivals::Rival;
+use crate::analysis::explore::verdicts::rivals::{Rival, Rivals};
 use crate::list::List;
 use crate::model::{Arena, EdgeId, ForceOrder, Model, PartialId, Step, StepId, Transition, TransitionId, Tree};
 use crate::sorted::{Map, sort_unstable};
@@ -279,8 +279,7 @@ impl Compiled {
         compiler.in_action = true;
         let mut actions = actions::compile(model, &slots, &mut compiler);
         compiler.in_action = false;
-        let rivals = rivals.iter().map(|(a, b)| (a.compile(&mut compiler), b.compile(&mut compiler)));
-        actions.rivals = rivals.list();
+        actions.rivals = Rivals::of(rivals, &mut compiler);
         let watched = watched.iter().map(|tree| compiler.formula(tree)).list();
         let approximate = compiler.approximate;
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();

@@ -30,13 +30,44 @@ impl<'m> Rival<'m> {
         association.into_iter().flat(|a| a.event.iter().and(&a.condition)).map(|expr| &expr.tree)
     }
 
-    pub(crate) fn compile(self, compiler: &mut Compiler<'_>) -> Watched {
+    fn is(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Action(one), Self::Action(other)) => std::ptr::eq(one, other),
+            (Self::Clearing(one), Self::Clearing(other)) => one == other,
+            _ => false,
+        }
+    }
+
+    fn compile(self, compiler: &mut Compiler<'_>) -> Watched {
         let conditions = self.conditions().map(|tree| compiler.formula(tree)).list();
         let at = match self {
             Self::Action(association) => At::Step(association.step, association.qualifier),
             Self::Clearing(id) => At::Transition(id),
         };
         Watched { at, conditions }
+    }
+}
+
+/// Pairs of which it is asked whether they run in the same evolution.
+#[derive(Default)]
+pub(crate) struct Rivals {
+    pub(crate) all: Vec<Watched>,
+    /// The places of both.
+    pairs: Vec<(usize, usize)>,
+}
+
+impl Rivals {
+    pub(crate) fn of<'m>(pairs: &[(Rival<'m>, Rival<'m>)], compiler: &mut Compiler<'_>) -> Self {
+        let mut known: Vec<Rival<'m>> = Vec::new();
+        let mut number = |rival: Rival<'m>| {
+            let place = known.iter().position(|other| other.is(rival));
+            place.unwrap_or_else(|| {
+                known.push(rival);
+                known.len() - 1
+            })
+        };
+        let pairs = pairs.iter().map(|(a, b)| (number(*a), number(*b))).list();
+        Self { all: known.iter().map(|rival| rival.compile(compiler)).list(), pairs }
     }
 }
 
@@ -70,13 +101,14 @@ impl Watched {
 
 /// Notes which of the watched pairs run in this evolution.
 pub(crate) fn note(valuation: &mut Valuation<'_>, before: &[StepId], after: &[StepId], cleared: &[TransitionId]) {
-    let net = valuation.net;
-    for (number, (a, b)) in net.actions.rivals.iter().enumerate() {
-        if valuation.have_met[number] || valuation.met.contains(&number) {
+    let rivals = &valuation.net.actions.rivals;
+    let due = rivals.all.iter().map(|one| one.is_due(before, after, cleared)).list();
+    for (number, (a, b)) in rivals.pairs.iter().enumerate() {
+        if !due[*a] || !due[*b] || valuation.have_met[number] || valuation.met.contains(&number) {
             continue;
         }
-        let due = a.is_due(before, after, cleared) && b.is_due(before, after, cleared);
-        if due && a.conditions.iter().and(&b.conditions).all(|condition| valuation.decide(condition, When::Now)) {
+        let mut conditions = rivals.all[*a].conditions.iter().and(&rivals.all[*b].conditions);
+        if conditions.all(|condition| valuation.decide(condition, When::Now)) {
             valuation.met.push(number);
         }
     }
