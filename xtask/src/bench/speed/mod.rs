@@ -38,14 +38,14 @@ const MEASURE: &str = "sequence of 1000 steps, sfc";
 
 /// How much longer than [`MEASURE`] these may take, in hundredths: half as much again as they took when that was written.
 const WATCHED: [(&str, u64); 8] = [
-    ("nested, 1000 steps, sfc", 450),
-    ("nested, 1000 steps, grafcet", 450),
+    ("nested, 1000 steps, sfc", 500),
+    ("nested, 1000 steps, grafcet", 500),
     ("20 branches, times, edges, variables, sfc", 200),
-    ("30 macro-steps", 80),
+    ("30 macro-steps", 90),
     ("3 parallel branches of 333 steps, sfc", 500),
     ("3 parallel branches of 333 steps, grafcet", 600),
     ("100 partial grafcets of 10 steps", 500),
-    ("machining cell", 130),
+    ("machining cell", 150),
 ];
 
 /// Compiles charts of many kinds with a compiler in the dev profile (without optimisation), each in a process of its own,
