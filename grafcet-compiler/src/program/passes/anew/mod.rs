@@ -16,17 +16,19 @@
 //! Needs: several regions (of one, `split` knows that); states are entered by the ways of the cycle alone.
 
 mod index;
+mod reached;
 
 use std::cell::{Cell, RefCell};
 
 use self::index::Index;
+use self::reached::{Reached, merged};
 use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
 use super::edits::blocks_mut;
 use super::fold::{Known, initial};
 use super::uses::{each_read, each_written};
 use super::without_empty;
 use crate::list::{List, PushAll};
-use crate::sorted::{self, Map};
+use crate::sorted::Map;
 
 /// So many statements are looked at for each region.
 const EFFORT: usize = 20_000;
@@ -93,41 +95,6 @@ struct Stored {
     is_there: bool,
     /// `None` where it is not known, or not the same.
     value: Option<Value>,
-}
-
-/// What is known somewhere in a cycle.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
-struct Reached {
-    /// The state of the region, and copies of it.
-    states: Vec<(PlaceId, Value)>,
-    /// By field, `None` where it may hold anything.
-    holds: Vec<Option<Value>>,
-}
-
-impl Reached {
-    fn state(&self, place: PlaceId) -> Option<Value> {
-        self.states.iter().find(|(of, _)| *of == place).map(|(_, value)| *value)
-    }
-
-    fn put(&mut self, place: PlaceId, value: Option<Value>) {
-        self.states.retain(|(of, _)| *of != place);
-        if let Some(value) = value {
-            let at = self.states.partition_point(|(of, _)| *of < place);
-            self.states.insert(at, (place, value));
-        }
-    }
-
-    /// Holds as well where another one does. Whether it does so less than before.
-    fn join(&mut self, other: &Self) -> bool {
-        let mut less = false;
-        for (one, other) in self.holds.iter_mut().zip(&other.holds) {
-            if one.is_some() && one != other {
-                *one = None;
-                less = true;
-            }
-        }
-        less
-    }
 }
 
 /// The program, and what the regions looked at so far have told.
@@ -406,17 +373,4 @@ impl<'w, 'p, 'm> Anew<'w, 'p, 'm> {
             _ => None,
         }
     }
-}
-
-/// In the order of their states. Those with the same are one, of which is known what is known of both.
-fn merged(mut ways: Vec<Reached>) -> Vec<Reached> {
-    sorted::sort(&mut ways);
-    let mut all: Vec<Reached> = Vec::with_capacity(ways.len());
-    for way in ways {
-        match all.last_mut() {
-            Some(last) if last.states == way.states => _ = last.join(&way),
-            _ => all.push(way),
-        }
-    }
-    all
 }

@@ -24,6 +24,7 @@
 
 mod after;
 mod alike;
+mod leading;
 mod meetings;
 mod owners;
 mod touched;

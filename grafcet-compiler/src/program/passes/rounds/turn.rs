@@ -11,6 +11,7 @@ use super::super::several::{Env, Several, Tie, weight};
 use super::super::share::merged;
 use super::super::uses::{Effects, first_of, is_pure, reads_from, same_block};
 use super::after::{After, FEW, Unit};
+use super::leading::Order;
 use super::owners::owners;
 use super::touched::Touched;
 use crate::list::List;
@@ -39,11 +40,11 @@ pub(super) struct Turn<'t, 'p, 'm> {
     /// By part: what is read after it, in this round.
     later: Vec<Set<PlaceId>>,
     /// By part: what it does to the others.
-    effects: Vec<Touched>,
+    pub(super) effects: Vec<Touched>,
     /// By part: the regions whose states it writes.
     pub(super) written: Vec<Vec<usize>>,
     /// By part: where it decides on a region (the second) by the state of another one.
-    asking: Vec<Set<(usize, usize)>>,
+    pub(super) asking: Vec<Set<(usize, usize)>>,
     free: &'t Free,
     shared: After<'t>,
     left: Cell<usize>,
@@ -144,41 +145,6 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
             self.after(&part.statements, &mut env);
         }
         Some(done)
-    }
-
-    /// Which of the parts after a part it leads.
-    fn order(&self, at: usize, next: &[usize]) -> Order {
-        let mut regions = self.written[at].clone();
-        let mut order = Order { before: Vec::new(), led: Vec::new(), beside: Vec::new() };
-        for part in next {
-            if self.asking[*part].iter().any(|(region, _)| regions.contains(region)) {
-                regions.extend(self.written[*part].iter().copied());
-                order.led.push(*part);
-            } else {
-                order.beside.push(*part);
-            }
-        }
-        // What is beside is done afterwards, and must not be needed before.
-        let may_swap = |one: usize, other: usize| self.effects[one].may_swap(&self.effects[other]);
-        let is_needed = |part: usize, led: &[usize]| led.iter().any(|other| *other > part && !may_swap(part, *other));
-        while let Some(place) = order.beside.iter().position(|part| is_needed(*part, &order.led)) {
-            let part = order.beside.remove(place);
-            let mut passed = order.led.iter().chain(&order.beside).filter(|other| **other < part);
-            if may_swap(part, at) && passed.all(|other| may_swap(part, *other)) {
-                order.before.push(part);
-            } else {
-                order.led.push(part);
-                // These may have to come after it.
-                order.beside.append(&mut order.before);
-                order.led.sort_unstable();
-                order.beside.sort_unstable();
-            }
-        }
-        order.before.sort_unstable();
-        if order.led.iter().all(|part| self.written[*part].is_empty()) {
-            order.led.clear();
-        }
-        order
     }
 
     /// One part by itself.
@@ -339,16 +305,6 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         }
         Some(())
     }
-}
-
-/// Of the parts after one that leads.
-struct Order {
-    /// Done in front of it: it does not lead them, and those that it leads come after them.
-    before: Vec<usize>,
-    /// They ask for the state that it leads to, or are led by one that does, or come between such parts.
-    led: Vec<usize>,
-    /// Done after those.
-    beside: Vec<usize>,
 }
 
 /// The regions whose states some statements write.
