@@ -36,7 +36,7 @@ struct Cost {
 /// What the others are measured by.
 const MEASURE: &str = "sequence of 1000 steps, sfc";
 
-/// How much longer than [`MEASURE`] these may take, in hundredths: half as much again as they took when that was written.
+/// How much longer than [`MEASURE`] these may take, in hundredths: about half as much again as they took when that was written.
 const WATCHED: [(&str, u64); 8] = [
     ("nested, 1000 steps, sfc", 500),
     ("nested, 1000 steps, grafcet", 500),
