@@ -234,10 +234,10 @@ pub(crate) fn pinned_on_one() -> Result {
     compare(&TARGETS[..1])
 }
 
-/// Whether building takes more of statig's time than is recorded.
+/// Whether building takes more of statig's time than recorded, or the macro more for some charts beside a ring.
 ///
 /// # Errors
-/// A build fails, or it does.
+/// A build fails, or one of these takes more.
 pub(crate) fn pinned_builds() -> Result {
     let recorded = Recorded::read()?;
     // What another program on the machine adds, a build that is tried once more does not have.
